@@ -30,7 +30,11 @@ _DERIVED = re.compile(
     rf"|(?<![A-Za-z\\])d\s*(?P<of>{NAME})\s*/\s*d\s*(?P<at>{NAME})"
 )
 """The derivative of a name by another one."""
-_RATE = re.compile(rf"\\[dt]?frac\s*\{{\s*d(?:\s*\^\s*\d)?\s*(?P<name>{NAME})\s*\}}\s*\{{\s*d\s*t")
+_D = r"(?:\\mathrm\s*\{?\s*d\s*\}?|(?<![A-Za-z\\])d)"
+_RATE = re.compile(
+    rf"\\[dt]?frac\s*\{{\s*{_D}(?:\s*\^\s*\d)?\s*(?P<name>{NAME})\s*\}}\s*\{{\s*{_D}\s*t"
+    rf"|{_D}(?:\s*\^\s*\d)?\s*(?P<of>{NAME})\s*/\s*{_D}\s*t"
+)
 """A rate that is printed as a quotient."""
 _WORDS = r"\\(?:begin|end|label|tag|text|mathrm|mathbf|boldsymbol|operatorname\*?)\s*\{[^{}]*\}"
 _RUN = re.compile(rf"{_WORDS}|\\[A-Za-z]+|[A-Za-z](?=[A-Za-z])")
@@ -56,8 +60,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     texts = [_apart(one.tex) for one in formulas]
     told_by = _told_in_words(formulas, text)
     timed = _told_of_time(formulas, text) | {one for one, by in told_by.items() if by == TIME}
-    moving = set[str]().union(*map(names_under_dots, texts)) | {TIME}
-    moving |= {found["name"].replace(" ", "") for tex in texts for found in _RATE.finditer(tex)}
+    moving = set[str]().union(*map(_rated, texts)) | {TIME}
     given = {
         name
         for place, tex in enumerate(texts)
@@ -161,10 +164,16 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
     }
 
 
+def _rated(tex: str) -> set[str]:
+    """The names of which rates are printed."""
+    quotients = {(one["name"] or one["of"]).replace(" ", "") for one in _RATE.finditer(tex)}
+    return names_under_dots(tex) | quotients
+
+
 def _moved(texts: Iterable[str]) -> Iterator[str]:
     """The names of which equations say how they move: no rate of another one stands there."""
     for part in (part for tex in texts for part in _PARTS.split(tex)):
-        rated = {*names_under_dots(part), *(found["name"] for found in _RATE.finditer(part))}
+        rated = _rated(part)
         yield from rated if len(rated) == 1 else ()
 
 
@@ -210,8 +219,10 @@ def _told_in_words(formulas: Sequence[TypedFormula], text: str) -> dict[str, str
             elif _VARIABLE.search(text, 0, formula.start):
                 found[formula.tex.strip()] = TIME
     moved = {*_moved(one.tex for one in formulas)}
+    given = {name for one in formulas for name in _given(_apart(one.tex))}
     used = {name for one in formulas for name in re.findall(NAME, _apart(one.tex))}
-    return {name: by for name, by in found.items() if name in used - moved and name != by}
+    kept = used - moved - given
+    return {name: by for name, by in found.items() if name in kept and name != by}
 
 
 def _stands(name: str, tex: str, anywhere: bool) -> bool:
