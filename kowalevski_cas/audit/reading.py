@@ -28,7 +28,7 @@ from kowalevski_cas.audit.followed import tell_steps
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.notation import Edit, Name, Negative, Number, Power, Relation, edits
+from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
 from kowalevski_cas.paper.claims import Claim, RestPoints
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
@@ -105,12 +105,13 @@ class ReadingSession:
         run = self._run(self._session, self.causes)
         found = {outcome.claim: self._blaming(outcome) for outcome in run.outcomes}
         self._mend(found)
-        self._doubt(found)
+        self._doubt(found, self.causes.mended())
         self._leave_exceptions(found)
         self._leave_unproved(found)
         self._leave_places(found)
         explained = {*self.causes.places, *self._searched}
         self.repairs = repairs_of_doubted(self._session, found, explained)
+        self._doubt(found, self._shared_repairs())
         self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
 
@@ -132,13 +133,14 @@ class ReadingSession:
             formula.item.printed: id
             for id, formula in self.claiming.items()
             if not found[id].verdict.green and found[id].correction is None
+            if formula.role.kind != "integral"  # what names a function gives it, whatever it is
         }
         for claim in self.interpretation.derivation.claims:
             formula = self.claiming[claim.id]
             cited = {formula.item.printed, *(one.printed for one in formula.on)}
             rests = sorted(unproved[one] for one in claim.reads() & unproved.keys() - cited)
             if found[claim.id].verdict.green and rests:
-                by = self.claiming[rests[0]].item.typed.tex
+                by = self.claiming[rests[0]].item.printed.tex
                 found[claim.id] = found[claim.id]._replace(
                     verdict=Verdict.UNDECIDED, message=BY_UNPROVED.format(by), certificate=""
                 )
@@ -315,9 +317,19 @@ class ReadingSession:
             edit=edit, blamed=(edit.statement.formula,), besides=(*besides,),
         )  # fmt: skip
 
-    def _doubt(self, found: dict[str, Outcome]) -> None:
+    def _shared_repairs(self) -> dict[Printed, Formula]:
+        """What formulas should read with which several claims would hold that are doubted."""
+        places = {id: one.printed for id, one in self.repairs.items() if one.edit is not None}
+        found: dict[Printed, Formula] = {}
+        for id, place in places.items():
+            edit = self.repairs[id].edit
+            alike = [one for one in places if places[one] == place]
+            if place is not None and edit is not None and len(alike) > 1:
+                found |= edited_formulas(place, edit)
+        return found
+
+    def _doubt(self, found: dict[str, Outcome], mended: Mapping[Printed, Formula]) -> None:
         """Take the verdict from what is true of a misprint only, and not of what it should read."""
-        mended = self.causes.mended()
         about = [
             claim
             for claim in self.interpretation.derivation.claims

@@ -221,7 +221,12 @@ def _told_in_words(formulas: Sequence[TypedFormula], text: str) -> dict[str, str
     moved = {*_moved(one.tex for one in formulas)}
     given = {name for one in formulas for name in _given(_apart(one.tex))}
     used = {name for one in formulas for name in re.findall(NAME, _apart(one.tex))}
-    kept = used - moved - given
+    primed = {
+        name
+        for one in formulas
+        for name in re.findall(rf"({NAME})\s*(?:'|\^\s*\{{?\s*\\prime)", one.tex)
+    }
+    kept = used - moved - given - primed
     return {name: by for name, by in found.items() if name in kept and name != by}
 
 
