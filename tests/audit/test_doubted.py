@@ -149,3 +149,17 @@ def test_a_letter_that_is_given_behind_and_stands_nowhere_else_may_be_meant():
     wrong = claim(audited(text % "s"), "ellipse")
     assert "$s$ is given there, and stands nowhere else" in wrong.message
     assert claim(audited(text % "a"), "ellipse").verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+DISKS = r"""The equations are \[\dot x=yz+ky,\qquad\dot y=xzSIGNkx,\qquad\dot z=-xy.\]
+There are two quadratic integrals, \[A=x^2+y^2+2z^2,\qquad B=x^2-y^2+4kz.\]
+The function $A+B$ is an integral, too, and $A-B$ is an integral. The plane $x=y$ is invariant."""
+
+
+@pytest.mark.parametrize("sign", ["+", "-"])
+def test_what_is_true_of_a_law_that_two_doubted_claims_would_have_otherwise_is_not_green(sign):
+    """With the sign that makes these integrals the plane is not invariant."""
+    found = {f.tex: f.verdict for f in audited(DISKS.replace("SIGN", sign)).formulas if f.claims}
+    assert found["x=y"] == Verdict.UNDECIDED
+    integrals = {verdict for tex, verdict in found.items() if tex != "x=y"}
+    assert ({*integrals} == {Verdict.PROVED}) == (sign == "-")
