@@ -79,8 +79,9 @@ def _of_pairs(paper: SourcePaper, names: Collection[str]) -> set[str]:
     given = {
         name
         for item in paper.items
+        if pairs and item.members
         for name in pairs.keys() & {*item.printed.heads.names, *item.printed.heads.squares}
-        if item.members and vectors(name) <= item.names
+        if vectors(name) <= item.names
     }
     lengths = {name for name in pairs if symbol(name) in {o.without_type for o in printed.values()}}
     used = {n for item in paper.items if not isinstance(item.formula, Name) for n in item.names}

@@ -178,7 +178,7 @@ def test_a_value_of_a_multiplier_at_some_place_leaves_it_one(term, green):
     assert energy.green == green
 
 
-SPHERE = r"""\section{Equations} A particle moves on the sphere $x^2+y^2+z^2=l^2$. Its equations are
+PENDULUM = r"""\section{Equations} A particle moves on the sphere $x^2+y^2+z^2=l^2$. Its equations are
 \begin{equation}\ddot x=\lambda x,\qquad\ddot y=\lambda y,\qquad\ddot z=\lambda z-g.\end{equation}
 The energy \begin{equation}h=\frac12(\dot x^2+\dot y^2+\dot z^2)SIGNgz\end{equation} is constant. """
 
@@ -194,7 +194,7 @@ The energy \begin{equation}h=\frac12(\dot x^2+\dot y^2+\dot z^2)SIGNgz\end{equat
 )
 def test_what_special_motions_satisfy_is_no_constraint_of_all(special):
     for sign, expected in (("+", "conditional"), ("-", "refuted")):
-        found = audited(SPHERE.replace("SIGN", sign) + special)
+        found = audited(PENDULUM.replace("SIGN", sign) + special)
         energy = next(one for one in found.formulas if one.tex.strip().startswith("h="))
         assert energy.verdict == expected
         assert not any(one.verdict == "refuted" for one in found.formulas if one is not energy)

@@ -221,7 +221,7 @@ def test_a_small_number_of_a_special_case_is_not_that_of_the_paper(text, expecte
             (  # the law of two bodies is none of any number
                 rf"\section{{Two}} Let $n=2$. {SOLVED} \section{{Any}} {LINE}"
                 r"The sum $\dot x_1+\dot x_2$ is constant.",
-                "yyyy",
+                "",
             ),
         ],
         2,

@@ -34,7 +34,6 @@ DEFINED = [
         [
             *((distance, MOMENTUM, True) for distance in DEFINED),
             (DEFINED[0], MOMENT, True),
-            (DEFINED[0], ENERGY, True),
             (DEFINED[0], MOMENTUM.replace("m_i", "m_i^2"), False),
             (DEFINED[2], ENERGY.replace("G", "2G"), False),
         ],
