@@ -223,7 +223,7 @@ class Parts:
         for laws in printed:
             mentioned = {n for law in laws for name in law.mentions for n in before.below(name)}
             constants.append({n for n in mentioned if not before.is_defined(n)} - moving)
-        return constants[0] <= constants[1]
+        return bool(constants[1]) and constants[0] <= constants[1]
 
     @cached_property
     def named_apart(self) -> list[frozenset[str]]:

@@ -423,7 +423,7 @@ def joined_lead(item: SourceStatement) -> str:
 _THEY_SOLVE = re.compile(
     r"\b(?:is|are)\s+(?:a\s+|the\s+)?(?:points?|solutions?|roots?|zeros?)\s+"
     r"(?:of|at|where|in)(?:\s+which)?[\s:~]*$"
-    r"|\b(?:found|determined|obtained|given|defined)\s+(?:from|by)(?:\s+the)?(?:\s+(?:equations?|conditions?|system))?[\s:~]*$"
+    r"|\b(?:found|determined|obtained)\s+(?:from|by)(?:\s+the)?(?:\s+(?:equations?|conditions?|system))?[\s:~]*$"
     r"|\b(?:находят?ся|определя\w+)(?:\s+из)?(?:\s+(?:услови\w+|уравнени\w+|систем\w+))?[\s:~]*$"
     r"|(?:явля\w+|суть|[-—–])\s*(?:точк\w+|решени\w+|корн\w+|нул\w+)"
     r"(?:,?\s+в\s+которых|\s+(?:уравнени|систем)\w+)?[\s:~]*$"

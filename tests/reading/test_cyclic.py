@@ -94,7 +94,7 @@ def test_brackets_of_neighbours_close_the_chain(row, given, claim, green):
     [
         (r"The only equilibria are the points at which \[ a_1=a_2=\dots=a_n. \]", False),
         (r"All equilibria are the points where \[ a_1=a_2=\dots=a_n. \]", False),
-        (r"Equilibria are the points where \[ a_1=a_2=\dots=a_n. \]", True),
+        (r"Equilibria are the points where \[ a_1=a_2=\dots=a_n. \]", False),
         (r"The points at which $a_1=a_2=\dots=a_n$ are equilibria.", True),
         (r"The points at which $a_2=a_3=\dots=a_n$ are equilibria.", False),
     ],
