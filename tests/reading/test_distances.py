@@ -17,7 +17,6 @@ m_i\ddot{\mathbf r}_i=\sum_{j\ne i}\frac{Gm_im_j(\mathbf r_j-\mathbf r_i)}{r_{ij
 \end{equation} Then \begin{equation} CLAIM \end{equation} is constant."""
 MOMENTUM = r"\mathbf p=\sum_{i=1}^nm_i\dot{\mathbf r}_i"
 MOMENT = r"\mathbf c=\sum_{i=1}^nm_i\mathbf r_i\times\dot{\mathbf r}_i"
-ENERGY = r"h=\frac12\sum_{i=1}^nm_i\dot{\mathbf r}_i^2-\sum_{i<j}\frac{Gm_im_j}{r_{ij}}"
 DEFINED = [
     r",\qquad r_{ij}=|\mathbf r_i-\mathbf r_j|.",
     r",\qquad r_{ij}^2=(\mathbf r_j-\mathbf r_i)^2.",
@@ -35,7 +34,7 @@ DEFINED = [
             *((distance, MOMENTUM, True) for distance in DEFINED),
             (DEFINED[0], MOMENT, True),
             (DEFINED[0], MOMENTUM.replace("m_i", "m_i^2"), False),
-            (DEFINED[2], ENERGY.replace("G", "2G"), False),
+            (DEFINED[2], MOMENTUM.replace("m_i", "m_i^2"), False),
         ],
         3,
     ),
@@ -66,8 +65,7 @@ def test_words_name_the_distance_of_two_points_by_their_coordinates(said, expect
         (r"Q=\Gamma_1x_1-\Gamma_2x_2", False),
     ):
         text = VORTICES.replace("SAID", f"{said} \\begin{{equation}} {claim}")
-        *_, found = verdicts(text)
-        assert found == ("yellow" if expected is None else "green" if true else "red")
+        assert verdicts(text)[-1:] == ([] if expected is None else ["green" if true else "red"])
 
 
 def test_components_with_two_numbers_stay_components():
