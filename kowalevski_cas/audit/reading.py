@@ -38,7 +38,9 @@ from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free
+from kowalevski_cas.reading.linear_parts import KIND
 from kowalevski_cas.reading.obey import SAID, SKIPPED
+from kowalevski_cas.reading.small_oscillations import FREQUENCY
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
@@ -128,12 +130,15 @@ class ReadingSession:
                 )
 
     def _leave_unproved(self, found: dict[str, Outcome]) -> None:
-        """Take the verdict from what is true only with a value that is claimed and not proved."""
+        """Take the verdict from what is true only with an eigenvalue that is not proved.
+
+        What else is claimed is true of names that have their meaning without it.
+        """
         unproved = {
             formula.item.printed: id
             for id, formula in self.claiming.items()
             if not found[id].verdict.green and found[id].correction is None
-            if formula.role.kind != "integral"  # what names a function gives it, whatever it is
+            if formula.role.kind in (KIND, FREQUENCY)
         }
         for claim in self.interpretation.derivation.claims:
             formula = self.claiming[claim.id]

@@ -258,6 +258,13 @@ _HOLDS = re.compile(
 """Words that suppose what they cite: it is in force to the end of the section."""
 
 
+_NOT_SUPPOSED = re.compile(
+    r"\b(?:not|never|no\s+longer|without|nobody|не|без)\s+(?:\w+\s+)?(?:suppos|assum|предпол)\w*",
+    re.IGNORECASE,
+)
+"""Words that suppose nothing."""
+
+
 def _said_to_hold(item: SourceStatement, known: Known) -> list[SourceStatement]:
     """What a sentence before a statement, in its section, supposes to hold by citing it."""
     prose, labels = known.paper.prose, known.paper.labels
@@ -265,7 +272,7 @@ def _said_to_hold(item: SourceStatement, known: Known) -> list[SourceStatement]:
         if stop < item.section.start:
             break
         words = prose.between(*prose.sentence(stop))
-        if _HOLDS.search(words) and not cue("denied", words):
+        if _HOLDS.search(words) and not (cue("denied", words) or _NOT_SUPPOSED.search(words)):
             return [one for label in references(words) for one in labels.get(label, ())]
     return []
 
