@@ -137,8 +137,7 @@ class ReadingSession:
         unproved = {
             formula.item.printed: id
             for id, formula in self.claiming.items()
-            if not found[id].verdict.green and found[id].correction is None
-            if formula.role.kind in (KIND, FREQUENCY)
+            if not found[id].verdict.green and formula.role.kind in (KIND, FREQUENCY)
         }
         for claim in self.interpretation.derivation.claims:
             formula = self.claiming[claim.id]

@@ -82,7 +82,8 @@ _POSITIVE_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _POSITIVE_BEHIND = re.compile(
-    r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b(?![\s-]+definite)"
+    r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b"
+    r"(?![\s-]+(?:definite|for|in|at|near|only|if|when|where|on|while|unless)\b)"
     r"|[-—–]*\s*положительн(?:ы|а|о|ые)\b)",
     re.IGNORECASE,
 )

@@ -89,3 +89,8 @@ def test_what_follows_from_a_value_that_is_not_proved_is_not_green(value, then, 
     found = reading(text)
     outcomes = ReadingSession(found, timeout=20).outcomes
     assert [outcomes[f.claim.id].verdict.green for f in found.formulas if f.claim] == greens
+
+
+def test_what_follows_from_an_eigenvalue_that_is_corrected_is_not_green():
+    text = r"The system $\dot x=-kx$ has the eigenvalue $\mu=k$ at the origin. Hence $\mu+k=2k$."
+    assert not any(one.green for one in verdicts(text).values())

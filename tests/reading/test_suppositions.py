@@ -296,6 +296,8 @@ def test_what_gives_a_constant_of_the_law_by_others_defines_it(definition):
         ("where $k$ is a positive constant", r"\ge", False),
         ("where $k$ is a constant", r"\le", False),
         ("where $k$ is not positive", r"\le", False),
+        ("where $k$ is positive for soft springs", r"\le", False),
+        ("where $k$ is positive only near the equilibrium", r"\le", False),
     ],
 )
 def test_words_call_constants_positive(words, sign, green):
