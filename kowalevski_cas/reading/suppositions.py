@@ -83,11 +83,19 @@ _POSITIVE_BEFORE = re.compile(
 )
 _POSITIVE_BEHIND = re.compile(
     r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b"
-    r"(?![\s-]+(?:definite|for|in|at|near|only|if|when|where|on|while|unless)\b)"
+    r"(?![\s-]+(?:definite|for|in|at|near|only|if|when|where|on|while|unless|or)\b)"
     r"|[-—–]*\s*положительн(?:ы|а|о|ые)\b)",
     re.IGNORECASE,
 )
 """How words end, or begin, beside letters of constants that are positive."""
+
+
+_CLOSE = 60
+"""So many signs before a letter stand words that are about it."""
+_NOT_OF_EACH = re.compile(
+    r"\b(?:of|either|neither|or|unlike|или|либо|из)\b|\[\d|\\cite", re.IGNORECASE
+)
+"""Words before letters that do not speak of each of them, or not of these."""
 
 
 def is_called_positive(item: SourceStatement, known: Known) -> bool:
@@ -96,6 +104,8 @@ def is_called_positive(item: SourceStatement, known: Known) -> bool:
     if known.varies(item.formula.name) or cue("if", item.before) or cue("denied", item.words):
         return False
     before, behind = joined_lead(item), joined_tail(item)
+    if _NOT_OF_EACH.search(item.before[-_CLOSE:]):
+        return False
     return bool(_POSITIVE_BEFORE.search(before) or _POSITIVE_BEHIND.match(behind))
 
 
