@@ -105,12 +105,6 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     return bool(rows) and _says_constraint(item)
 
 
-_SOME_MOTIONS = re.compile(
-    r"\b(?:uniform|stead|stationar|permanent|particular|special|conical|periodic|equilibri|relative\s+rest|at\s+rest)\w*"
-    r"|\b(?:равномерн|стационарн|установивш|перманентн|частн|коническ|периодическ|равновеси|поко)\w*",
-    re.IGNORECASE,
-)
-"""Words for motions that are not all."""
 _CONSTRAINT = re.compile(r"\bconstrain|\bсвяз[ьи]|\bстеснен", re.IGNORECASE)
 
 
@@ -131,7 +125,7 @@ def _is_of_some_motions(item: SourceStatement, law: Law, many: int, known: Known
         for one, role in known.roles.items()
         if role.kind == CONSTRAINT and one.order < item.order and one.sentence != item.sentence
     ]
-    return len(before) >= many or bool(_SOME_MOTIONS.search(item.words))
+    return len(before) >= many or bool(cue("special motion", item.words))
 
 
 def _moving(item: SourceStatement, law: Law, known: Known) -> set[str]:

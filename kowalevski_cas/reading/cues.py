@@ -108,6 +108,13 @@ CUES: dict[str, str] = {
         \b(?:at|from)\s+rest\b \bdropped\b \breleased\b \blet\s+go\b отпущен\w*
         \bno\s+(?:speed|velocity)\b \bwithout\s+(?:an?\s+)?(?:initial\s+)?velocity\b
         из\s+(?:состояния\s+)?покоя \bпокоится\b без\s+начальной\s+скорости""",
+    "special motion": r"""
+        \b(?:stead|stationar|permanent|special|circular|conical|periodic|equilibri|separatri)\w*
+        \buniform(?:ly)?\b(?!\s+(?:\w+\s+)?(?:fields?|gravit\w+|rods?|dis[ck]s?|spheres?|bod\w+|density))
+        (?<!\bin\s)\bparticular\b \b(?:homo|hetero)clinic\w* \b(?:relative|at)\s+rest\b
+        \bat\s+the\s+(?:lowest|highest|top|bottom|turning|point)\b
+        \b(?:равномерн|стационарн|установивш|перманентн|частн(?!ост)|кругов|коническ|периодическ)\w*
+        \b(?:равновеси|поко[йяею]|сепаратрис)\w*""",
     "follows": r"""
         follow\w* therefore hence thus consequently whence \bfrom\b substitut\w+ eliminat\w+
         so\s+that because\s+of by\s+virtue using \bon\s+(?:it|this|them|these)\b there\b

@@ -125,11 +125,18 @@ def of_motion(at: RungMaker) -> Iterator[Rung]:
 
 
 _SOME = re.compile(
-    r"\b(?:separatri\w+|motions?|solutions?|orbits?|trajector\w+|curves?|loops?|waves?|pulses?|solitons?|starts?|rest"
-    r"|released|thrown|falls?|launch\w+|сепаратрис\w+|движени\w+|решени\w+|траектори\w+|орбит\w*|крив\w+|поко\w+)\b",
+    r"\b(?:motions?|solutions?|orbits?|trajector\w+|curves?|loops?|waves?|pulses?|solitons?|starts?|rest"
+    r"|released|thrown|falls?|launch\w+|движени\w+|решени\w+|траектори\w+|орбит\w*|крив\w+)\b",
     re.IGNORECASE,
 )
 """Words for some motions."""
+
+
+def _speaks_of_some(words: str) -> bool:
+    """Whether words speak of a motion, or call it special: not of the equations alone."""
+    return bool(_SOME.search(words) or cue("special motion", words))
+
+
 _TENDS = re.compile(r"\\(?:to|rightarrow)(?![A-Za-z])")
 """The sign of what a motion tends to, which says of which motion something is said."""
 _BY_INTEGRATION = re.compile(r"\bintegrat\w+|\bintegrals?\b|\bинтегр\w+", re.IGNORECASE)
@@ -138,7 +145,7 @@ _BY_INTEGRATION = re.compile(r"\bintegrat\w+|\bintegrals?\b|\bинтегр\w+", 
 def _is_said_of_all(item: SourceStatement) -> bool:
     """Whether words deduce a solution from the equations, and speak of no beginning, nor of one."""
     words = f"{item.earlier[0] if item.earlier else ''} {item.words}"
-    begun = cue("initially", words) or _SOME.search(words)
+    begun = cue("initially", words) or _speaks_of_some(words)
     return not begun and bool(_DEDUCES.match(item.before))
 
 
@@ -162,7 +169,7 @@ def _is_deduced_of_all(item: SourceStatement, known: Known) -> bool:
         return False
     if _SATISFY.match(item.before):
         return True
-    if _SOME.search(item.words):
+    if _speaks_of_some(item.words):
         return False
     before = (one for one in known.items if one.order < item.order)
     if any(_TENDS.search(one.typed.tex) for one in before if one.paragraph == item.paragraph):

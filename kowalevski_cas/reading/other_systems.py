@@ -1,0 +1,97 @@
+"""Equations of motion that are those of another system than the ones before them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.printed_rates import PrintedRates
+from kowalevski_cas.reading.statements import SourceStatement
+
+_FOLLOWS = re.compile(
+    r"\b(?:substitut\w+|eliminat\w+|differentiat\w+|see|follows?|hence|therefore|thus|consequently"
+    r"|подстав\w+|исключ\w+|дифференцир\w+|видим|следует|отсюда|поэтому|следовательно)\b",
+    re.IGNORECASE,
+)
+"""Words that derive equations from those before."""
+
+
+def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]) -> Law | None:
+    """A set that is closed by itself, with words for it, or in another section.
+
+    In another section it follows from nothing, and is for names that are not defined by those
+    of the law before, nor rest on them.
+    """
+    before = part[0].first
+    titled = before.section is not item.section and cue("another system", item.section.title)
+    said = cue("another system", item.before) or titled
+    apart = [one for one in item.sections if one not in before.sections]
+    new = bool(apart) and before.section not in item.sections
+    if (item.refs and not cue("another system", item.before)) or not (new or said):
+        return None
+    begins = _begins(rates, item, apart[0].start) if apart else item.sentence[0]
+    end = apart[0].end if apart else item.section.end
+    printed_rows = (row for row in rates.undefined(begins) if row not in rates.said.rows)
+    rows = [row for row in printed_rows if begins <= row.typed.start < end]
+    beside = {row for row in rates.rows if row.typed is item.typed}
+    law = rates.grown(item, (), rows) if beside <= {*rows} else None
+    if law is None:
+        return None
+    if all(rates.is_defined(row, item.section.start) for row in beside):
+        return None  # it is deduced for names that stand for what moves
+    old = {name for one in part for name in one.variables}
+    rated, named = {*law.variables}, {*rates.names.scalars(law.mentions)}
+    met = {name for one in rates.paper.items if one.typed.start < begins for name in one.names}
+    anew = bool(said or (named - met and cue("system", item.before)))
+    if not _FOLLOWS.search(item.before):
+        anew = anew or _is_of_new_constants(rates, law, part, named - met)
+    deduced = cue("deduced", item.before) and not anew
+    printed = {row.formula for one in part for row in one.rows}
+    if named & old - rated or (deduced and rated <= old):
+        return None
+    heading = apart[0].start if apart else begins
+    since = (
+        one
+        for one in _since(rates, heading, item)
+        if one not in law.momenta and not len(one.bare) == len(one.members) == 2
+    )  # a new letter for what moved before is that of the new system
+    if not said and any(rates.relates(one, item, old) for one in since):
+        return None
+    if not said and len(law.items) == 1 and rated < old:  # what follows for one of several
+        return None
+    if all(row.formula in printed for row in law.items):
+        return None
+    if not said and all(rates.is_defined(row, rates.paper.prose.start) for row in law.items):
+        return None
+    between = [one for one in rates.paper.items if begins <= one.typed.start < item.typed.start]
+    speaks = any({*rates.names.scalars(one.names)} & old - rated for one in between)
+    law.begins = item.sentence[0] if speaks else begins
+    return law
+
+
+def _is_of_new_constants(
+    rates: PrintedRates, law: Law, part: Sequence[Law], new: Collection[str]
+) -> bool:
+    """Whether the rates of all that moved are given with new letters, which nothing gives.
+
+    They do not follow from the law before, which has nothing of them.
+    """
+    orders, before = (
+        {name: order for one in laws for row in one.rows for name, order in row.rates.items()}
+        for laws in ([law], part)
+    )
+    given = {name for one in rates.paper.items for name in one.printed.heads.names}
+    return orders == before and bool({*new} - given)
+
+
+def _begins(rates: PrintedRates, row: SourceStatement, heading: int) -> int:
+    """Where another system begins: at its heading, unless rates stand between, as of this."""
+    between = any(one.rates for one in _since(rates, heading, row) if one.typed is not row.typed)
+    return row.sentence[0] if between else heading
+
+
+def _since(rates: PrintedRates, begins: int, row: SourceStatement) -> list[SourceStatement]:
+    """The statements from an offset on, before a row."""
+    return [one for one in rates.paper.items if begins <= one.typed.start and one.order < row.order]
