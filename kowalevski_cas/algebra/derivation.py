@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from functools import singledispatch
+from functools import reduce, singledispatch
+from operator import add
 
 from kowalevski_cas.algebra.tower import Element, Parts, Ring
 
@@ -20,6 +21,8 @@ def along(element: Element, field: Field) -> Element:
     :math:`g' = r'g/(2r)`, and if :math:`r'=gq` by :math:`q/2`, without a division.
     """
     ring = element.ring
+    if len(element.summands) > 1:
+        return reduce(add, (along(Element(ring, *one), field) for one in element.summands))
     total = ring.zero
     for partial, rate in _partials(element, field):
         total = total + Element(ring, partial, {}) * rate

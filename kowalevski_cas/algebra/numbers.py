@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
 from math import isqrt, prod
+from operator import add
 
 from kowalevski_cas.algebra.polynomials import Map, Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.algebra.tower import Element, Ring, Summand
 from kowalevski_cas.notation import Vocabulary, to_latex
 
 TRIED = 10_000
@@ -101,14 +103,18 @@ class Substitution:
 
     def __call__(self, element: Element) -> Element:
         """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""
+        return reduce(add, map(self._summand, element.summands))
+
+    def _summand(self, summand: Summand) -> Element:
+        parts, denominator = summand
         total = self.numbers.zero
-        for mask, polynomial in element.parts.items():
+        for mask, polynomial in parts.items():
             value = self._polynomial(polynomial)
             for bit, root in self.roots.items() if mask else ():
                 if mask >> bit & 1:
                     value = value * root
             total = total + value
-        for index, exponent in element.denominator.items():
+        for index, exponent in denominator.items():
             total = total * self._inverse(index) ** exponent
         return total
 

@@ -7,17 +7,27 @@ divided by. Nothing is ever cancelled and no gcd is taken: the denominators are
 remembered, for they are what a statement assumes to be non-zero. A numerator
 has one form only, because the roots appear to the powers 0 and 1, so the test
 for zero is the test that every :math:`p_m` vanishes.
+
+A common denominator is large where sums have many: so an element is kept as a sum of
+fractions, which have different :math:`u_j` of more than one term below them, until its numerator
+is asked for. Often, as in the energy of n bodies, each of the fractions vanishes by itself.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial, reduce
+from itertools import product
 from operator import add, sub
 
 from kowalevski_cas.algebra.polynomials import Coefficients, Polynomial, Polynomials, Terms
 
 Parts = dict[int, Polynomial]
+Summand = tuple[Parts, dict[int, int]]
+"""A numerator, and the exponents of the divisors below it."""
+Combine = Callable[[Polynomial, Polynomial], Polynomial]
+"""The sum of two polynomials, or their difference."""
 
 
 class Ring:
@@ -34,6 +44,8 @@ class Ring:
         self.below: list[Element | None] = []
         """What each root is over, as an element: the generator is this times the root."""
         self.divisors: list[Polynomial] = []
+        self._large = 0
+        """The divisors of more than one term, as bits."""
         self._squares: dict[int, Parts] = {}
         self._numbers: dict[int | Fraction, Element] = {}
         self.zero = Element(self, {}, {})
@@ -75,7 +87,7 @@ class Ring:
 
     def element(self, parts: Parts, denominator: dict[int, int]) -> Element:
         """An element, with vanishing parts dropped."""
-        return Element(self, {m: p for m, p in parts.items() if p}, denominator)
+        return Element(self, _nonzero(parts), denominator)
 
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
         """The product of two polynomials."""
@@ -84,9 +96,7 @@ class Ring:
             return right if left is one else left
         return left * right
 
-    def add_numerators(
-        self, left: Parts, right: Parts, combine: Callable[[Polynomial, Polynomial], Polynomial]
-    ) -> Parts:
+    def add_numerators(self, left: Parts, right: Parts, combine: Combine) -> Parts:
         """The sum or the difference of two numerators, without what vanishes."""
         result = dict(left)
         for mask, p in right.items():
@@ -97,6 +107,36 @@ class Ring:
             else:
                 del result[mask]
         return result
+
+    def add_summands(self, left: Summand, right: Summand, combine: Combine) -> Summand:
+        """The sum or the difference of two summands, over a common denominator."""
+        if left[1] == right[1]:
+            return self.add_numerators(left[0], right[0], combine), left[1]
+        common = least_common(left[1], right[1])
+        above = (self.expanded(summand, common) for summand in (left, right))
+        return self.add_numerators(*above, combine), common
+
+    def expanded(self, summand: Summand, denominator: Mapping[int, int]) -> Parts:
+        """The numerator of a summand over a larger denominator."""
+        parts, below = summand
+        factor = self.divisor_product({k: e - below.get(k, 0) for k, e in denominator.items()})
+        if factor is None:
+            return parts
+        return {m: self.multiply(p, factor) for m, p in parts.items()}
+
+    def multiply_summands(self, left: Summand, right: Summand) -> Summand:
+        """The product of two summands."""
+        (one, denominator), (other, more) = left, right
+        if more:
+            denominator = dict(denominator)
+            for index, exponent in more.items():
+                denominator[index] = denominator.get(index, 0) + exponent
+        if len(one) == len(other) == 1:
+            # One product, which cannot vanish: polynomials have no divisors of zero.
+            ((mask, p),), ((other_mask, q),) = one.items(), other.items()
+            if not mask & other_mask:
+                return {mask | other_mask: self.multiply(p, q)}, denominator
+        return _nonzero(self.multiply_parts(one, other)), denominator
 
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
         """The product of two numerators, the roots reduced by their squares."""
@@ -127,8 +167,14 @@ class Ring:
     def divisor(self, polynomial: Polynomial) -> int:
         """The index of a polynomial among the divisors, where it is entered if it is new."""
         if polynomial not in self.divisors:
+            if not self.polynomials.is_monomial(polynomial):
+                self._large |= 1 << len(self.divisors)
             self.divisors.append(polynomial)
         return self.divisors.index(polynomial)
+
+    def large_below(self, summand: Summand) -> int:
+        """The divisors of more than one term below a summand, as bits."""
+        return sum(1 << index for index in summand[1]) & self._large
 
     def divisor_product(self, exponents: Mapping[int, int]) -> Polynomial | None:
         """The product of divisors to these positive exponents; ``None`` for the empty one."""
@@ -170,56 +216,103 @@ def indices_below(elements: Iterable[Element]) -> list[int]:
     return sorted({index for element in elements for index in element.denominator})
 
 
+def least_common(left: Mapping[int, int], right: Mapping[int, int]) -> dict[int, int]:
+    """The exponents of the least common multiple of two denominators."""
+    return {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
+
+
+def _nonzero(parts: Parts) -> Parts:
+    return {m: p for m, p in parts.items() if p}
+
+
 def _add(parts: Parts, mask: int, polynomial: Polynomial) -> None:
     parts[mask] = parts[mask] + polynomial if mask in parts else polynomial
 
 
 class Element:
-    """An element of a :class:`Ring`: numerator by roots, denominator by divisors."""
+    """An element of a :class:`Ring`: numerator by roots, denominator by divisors.
 
-    __slots__ = ("denominator", "parts", "ring")
+    It is made as one fraction, or is the sum of ``summands``, which have different large divisors.
+    """
+
+    __slots__ = ("_parts", "_summands", "denominator", "ring")
 
     def __init__(self, ring: Ring, parts: Parts, denominator: dict[int, int]) -> None:
         self.ring = ring
-        self.parts = parts
         self.denominator = denominator
+        self._parts: Parts | None = parts
+        self._summands: tuple[Summand, ...] = ()
+
+    @classmethod
+    def _of(cls, ring: Ring, summands: Sequence[Summand], denominator: dict[int, int]) -> Element:
+        """The sum of summands, whose denominators have this least common multiple."""
+        if len(summands) == 1:
+            return cls(ring, *summands[0])
+        whole = cls(ring, {}, denominator)
+        whole._parts, whole._summands = None, (*summands,)
+        return whole
+
+    @property
+    def parts(self) -> Parts:
+        """The numerator over the common denominator."""
+        if self._parts is None:
+            sums = (self.ring.expanded(one, self.denominator) for one in self._by_root())
+            self._parts = {mask: p for parts in sums for mask, p in parts.items()}
+        return self._parts
+
+    def _by_root(self) -> list[Summand]:
+        """What is before each product of roots, if it does not vanish, over what is below it."""
+        found: dict[int, Summand] = {}
+        for parts, below in self._summands:
+            for mask, p in parts.items():
+                before = found.get(mask, ({}, below))
+                found[mask] = self.ring.add_summands(before, ({mask: p}, below), add)
+        return [one for one in found.values() if one[0]]
+
+    @property
+    def summands(self) -> tuple[Summand, ...]:
+        """The fractions of which it is the sum."""
+        return self._summands or ((self.parts, self.denominator),)
 
     @property
     def is_zero(self) -> bool:
         """Whether the numerator vanishes identically."""
-        return not self.parts
+        if self._parts is None:
+            masks = [mask for parts, _ in self._summands for mask in parts]
+            if any(masks.count(mask) == 1 for mask in masks) or self._by_root():
+                return False
+            self._parts = {}
+        return not self._parts
 
     def __add__(self, other: Element) -> Element:
         # a zero that was divided by something is added all the same: the sum remembers it
-        return self._add(other, add) if self.parts or self.denominator else other
+        return self._add(other, add) if self.denominator or self.parts else other
 
     def __sub__(self, other: Element) -> Element:
         return self._add(other, sub)
 
-    def _add(
-        self, other: Element, combine: Callable[[Polynomial, Polynomial], Polynomial]
-    ) -> Element:
-        left, right = self.denominator, other.denominator
-        if not other.parts and not right:
+    def _add(self, other: Element, combine: Combine) -> Element:
+        ring = self.ring
+        if not other.denominator and not other.parts:
             return self
-        if left == right:
-            return Element(
-                self.ring, self.ring.add_numerators(self.parts, other.parts, combine), left
-            )
-        common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
-        parts = self.ring.add_numerators(self.over(common), other.over(common), combine)
-        return Element(self.ring, parts, common)
+        if self.denominator == other.denominator and not self._summands and not other._summands:
+            parts = ring.add_numerators(self.parts, other.parts, combine)
+            return Element(ring, parts, self.denominator)
+        found = {ring.large_below(one): one for one in self.summands}
+        for one in other.summands:
+            below = ring.large_below(one)
+            before = found.get(below, ({}, one[1]))
+            found[below] = ring.add_summands(before, one, combine)
+        common = least_common(self.denominator, other.denominator)
+        return Element._of(ring, [*found.values()], common)
 
     def over(self, denominator: Mapping[int, int]) -> Parts:
         """The numerator over a larger denominator."""
-        missing = {k: e - self.denominator.get(k, 0) for k, e in denominator.items()}
-        factor = self.ring.divisor_product(missing)
-        if factor is None:
-            return self.parts
-        return {m: self.ring.multiply(p, factor) for m, p in self.parts.items()}
+        return self.ring.expanded((self.parts, self.denominator), denominator)
 
     def __neg__(self) -> Element:
-        return Element(self.ring, {m: -p for m, p in self.parts.items()}, self.denominator)
+        negative = [({m: -p for m, p in parts.items()}, below) for parts, below in self.summands]
+        return Element._of(self.ring, negative, self.denominator)
 
     def __mul__(self, other: Element) -> Element:
         ring = self.ring
@@ -227,18 +320,15 @@ class Element:
             return self
         if self is ring.one:
             return other
-        denominator = self.denominator
-        if other.denominator:
-            denominator = dict(denominator)
-            for index, exponent in other.denominator.items():
-                denominator[index] = denominator.get(index, 0) + exponent
-        left, right = self.parts, other.parts
-        if len(left) == len(right) == 1:
-            # One product, which cannot vanish: polynomials have no divisors of zero.
-            ((mask, p),), ((other_mask, q),) = left.items(), right.items()
-            if not mask & other_mask:
-                return Element(ring, {mask | other_mask: ring.multiply(p, q)}, denominator)
-        return ring.element(ring.multiply_parts(left, right), denominator)
+        if not self._summands and not other._summands:
+            return Element(ring, *ring.multiply_summands(*self.summands, *other.summands))
+        found: dict[int, Summand] = {}
+        for pair in product(self.summands, other.summands):
+            one = ring.multiply_summands(*pair)
+            below = ring.large_below(one)
+            found[below] = ring.add_summands(found[below], one, add) if below in found else one
+        more = {k: self.denominator.get(k, 0) + e for k, e in other.denominator.items()}
+        return Element._of(ring, [*found.values()], self.denominator | more)
 
     def __pow__(self, exponent: int) -> Element:
         if exponent < 0:

@@ -73,12 +73,14 @@ class PointEvaluation:
     def knows(self, element: Element) -> bool:
         """Whether the point gives values to all that stands in an element."""
         ring = element.ring
-        if any(mask & self._unknown_roots for mask in element.parts):
+        above = [part for parts, _ in element.summands for part in parts.items()]
+        if any(mask & self._unknown_roots for mask, _ in above):
             return False
         if not self._unknown:
             return True
-        divisors = (ring.divisors[index] for index in element.denominator)
-        occurring = map(ring.polynomials.occurring_places, (*element.parts.values(), *divisors))
+        polynomials = [p for _, p in above]
+        polynomials += [ring.divisors[index] for index in element.denominator]
+        occurring = map(ring.polynomials.occurring_places, polynomials)
         return all(map(self._unknown.isdisjoint, occurring))
 
     def vanish(self, elements: Sequence[Element]) -> bool:

@@ -176,8 +176,8 @@ class FollowsFinder(PointFinder):
 
 
 def _is_large(element: Element) -> bool:
-    """Whether the numerator of an element has many terms."""
-    return sum(map(len, element.parts.values())) > LARGE
+    """Whether the numerators of an element have many terms."""
+    return sum(len(p) for parts, _ in element.summands for p in parts.values()) > LARGE
 
 
 def _has_signs(goal: Follows) -> bool:

@@ -176,3 +176,26 @@ def test_the_derivative_along_a_field_is_the_gradient_applied_to_it(ring, a):
 def test_an_unknown_name_is_refused(ring):
     with pytest.raises(ValueError):
         ring.generator("w")
+
+
+@every_tower
+def test_fractions_with_other_divisors_are_kept_apart(ring):
+    x, y, z, s = map(ring.generator, "xyzs")
+    a, b = (x + y).inverse(), (x - y).inverse()
+    whole = s * a + z * b + x
+    assert len(whole.summands) == 3
+    assert same(whole * (x + y) * (x - y), s * (x - y) + z * (x + y) + x * (x * x - y * y))
+    assert whole.terms() == (x + (z * b + s * a)).terms()
+    assert same(a + b, ring.number(2) * x * a * b) and not (a + b).is_zero
+    assert same((a + b) ** 2, a * a + ring.number(2) * a * b + b * b)
+    assert same((a + b).inverse() * x * ring.number(2), x * x - y * y)
+
+
+@every_tower
+def test_what_was_divided_by_is_remembered_where_a_fraction_vanishes(ring):
+    x, y, z = map(ring.generator, "xyz")
+    a, b = (x + y).inverse(), (x - y).inverse()
+    gone = a + b - a
+    assert same(gone, b) and {*gone.denominator} == {*(a * b).denominator}
+    rate = along(gone, {"x": z})
+    assert same(rate, -(z * b * b)) and {*rate.denominator} == {*gone.denominator}

@@ -42,9 +42,16 @@ class SecondRing:
         """An element as a fraction without inverses."""
         above, below = self.polynomial(element.terms, element.below), self.one
         for k, name in enumerate(self.names):
-            if exponent := element.under >> WIDTH * (k + 1) & (1 << WIDTH) - 1:
+            under = element.under >> WIDTH * (k + 1) & (1 << WIDTH) - 1
+            by_power = {}
+            for exponents, c in above.to_dict().items() if name in self.ring.divisors else ():
+                rest = (*exponents[:k], 0, *exponents[k + 1 :])
+                by_power.setdefault(under + exponents[k], {})[rest] = c
+            if most := max(by_power, default=0):
                 a, b = self.fraction(self.ring.divisors[name])
-                above, below = above * b**exponent, below * a**exponent
+                parts = ((self.polynomials.from_dict(t), e) for e, t in by_power.items())
+                above = sum((p * b**e * a ** (most - e) for p, e in parts), start=self.one * 0)
+                below *= a**most
         return above, below
 
     def vanishes(self, polynomial):

@@ -105,7 +105,10 @@ COSTLY = {
         *[[["/", "x_0", "f"], ["/", "x_0", "f"]]] * 20_000,
         variables=MANY, steps=[["let", "f", ["^", ["+", *MANY[:12]], 4]]],
     ),
-    "fractions with many divisors": lambda: identity([["+", *[["/", 1, ["+", n, k]] for n in MANY[:20] for k in (0, 1, 2)]], 0], variables=MANY),
+    "fractions with many divisors": lambda: identity(
+        [["+", *[["/", 1, ["+", n, k]] for n in MANY[:20] for k in (0, 1, 2)]], 0],
+        variables=MANY, evidence={"point": at({n: k for k, n in enumerate(MANY, 1)})},
+    ),
     "roots over divisors": lambda: identity(
         [["^", ["+", *[f"r{k}" for k in range(12)]], 9], 0], steps=[["root", f"r{k}", ["/", ["+", "x", k], ["+", "y", k]]] for k in range(12)]
     ),

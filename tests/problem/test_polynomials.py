@@ -13,20 +13,24 @@ PRIME = 2**61 - 1
 R, S = 987_654_321, 123_123_123
 Y = R * R * pow(3, -1, PRIME) % PRIME
 X = 5 * S * S * Y * pow(R, -1, PRIME) % PRIME
-INVERSES = {"u": pow(X - 2 * Y, -1, PRIME), "v": pow(Y, -1, PRIME)}
+INVERSES = {"u": pow(X - 2 * Y + X * Y + 3, -1, PRIME), "v": pow(Y, -1, PRIME)}
 POINT = {"x": X, "y": Y, "r": R, "s": S, "t": -3, **INVERSES}
-"""Where the roots r² = 3 y, s² = x r v / 5 and t² = 9 have values, v = 1/y and u = 1/(x - 2 y)."""
+"""Where the roots r² = 3 y, s² = x r v / 5 and t² = 9 have values, v = 1/y and u = 1/(x - 2 y + x y + 3)."""
 
 numbers = st.fractions(max_denominator=60) | st.integers(-(10**200), 10**200).map(Fraction)
 polynomials = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xy"), max_size=4)), max_size=4)
 sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrstuv"), max_size=5)), max_size=6)
+without_s = st.lists(
+    st.tuples(numbers, st.lists(st.sampled_from("xyrtuv"), max_size=5)), max_size=6
+)
 
 
 def ring():
     """Polynomials in x and y, these inverses and these roots."""
     found = Ring(Budget(10**9))
     x, _, y, r, *_ = (found.adjoin(name) for name in "xuyrvst")
-    found.divisors |= {"u": x - y * found.number(2), "v": y}
+    found.invert("u", x - y * found.number(2) + x * y + found.number(3))
+    found.invert("v", y)
     found.relate("r", y * found.number(3))
     found.relate("s", x * r * found.generator("v") * found.number(Fraction(1, 5)))
     found.relate("t", found.number(9))
@@ -47,7 +51,7 @@ def value(found):
     powers, under = {m: found.ring.exponents(m) for m in found.terms}, found.under
     assert all(found.terms.values())
     assert all(e == 1 for both in powers.values() for name, e in both if name in "rst")
-    assert not INVERSES.keys() & {name for both in powers.values() for name, _ in both}
+    assert "v" not in {name for both in powers.values() for name, _ in both}  # y is a monomial
     assert found.below > 0
     assert all(n.bit_length() <= found.bits for n in (found.below, *found.terms.values()))
     assert {name for name, _ in found.ring.exponents(under)} <= INVERSES.keys()
@@ -97,6 +101,30 @@ def test_a_quotient_is_exact(left, right, rest):
     assert (quotient(a * b, b) - a).vanishes()
     found = quotient(a * b + c, b)
     assert found is None or (found * b - a * b - c).vanishes()
+
+
+@given(sums)
+def test_what_is_cleared_has_all_divisors_below_it(terms):
+    found = element(ring(), terms)
+    cleared = found.cleared()
+    assert value(cleared) == value(found)
+    names = {name for m in cleared.terms for name, _ in cleared.ring.exponents(m)}
+    assert names.isdisjoint(INVERSES) and {*cleared.generators()} == {*found.generators()}
+    assert cleared.vanishes() == found.vanishes() == (not cleared.terms)
+
+
+@given(without_s, without_s)
+def test_the_derivative_of_a_product(left, right):
+    here = ring()
+    a, b = element(here, left), element(here, right)
+    u = here.generator("u")
+
+    def derivative(found):
+        change = here.number(1) + here.generator("y")
+        return found.partial("x") - found.partial("u") * u * u * change
+
+    assert (derivative(a * b) - derivative(a) * b - a * derivative(b)).vanishes()
+    assert (derivative(a + b) - derivative(a) - derivative(b)).vanishes()
 
 
 @given(sums, sums)

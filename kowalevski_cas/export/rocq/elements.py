@@ -66,6 +66,7 @@ class Elements:
 
     def terms(self, element: Element) -> list[Term]:
         """The terms of an element."""
+        element = element.cleared()
         return [
             self._term(
                 Fraction(value, element.below), dict(self.ring.exponents(monomial | element.under))

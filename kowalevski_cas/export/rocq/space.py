@@ -177,10 +177,10 @@ class Space(Terms):
         for part in tree[1:]:
             self._note(part)
         for part in tree[2:] if tree[0] == "/" else ():
+            self.checked.over(part)
             shown = self.components(part), self.components(part, f"Space_{self.k}.")
             for text, outside, value in zip(*shown, self.checked.value(part), strict=True):
                 self.divisors.setdefault(text, (outside, value))
-                self.checked.inverse(value)
 
 
 def _apart(checked: checker.Space) -> checker.Space:

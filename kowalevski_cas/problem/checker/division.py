@@ -27,6 +27,7 @@ def primitive(element: Element) -> tuple[Fraction, Element]:
 
 def is_number(element: Element) -> bool:
     """Whether a fraction is a number wherever it is defined."""
+    element = element.cleared()
     if not element.under:
         return element.value() is not None
     below = element.ring.denominator(element.under)
@@ -96,6 +97,7 @@ class Divisors:
 
         The words are for the case that a new divisor has to be entered.
         """
+        element = element.cleared()
         self.ring.spend(len(element.terms))
         key = element.below, element.under, frozenset(element.terms.items())
         found = self.ring.inverses.get(key)
@@ -106,7 +108,7 @@ class Divisors:
 
     def _below(self, element: Element) -> set[str]:
         """The divisors below an element."""
-        return {name for name, _ in self.ring.exponents(element.under)} if element.under else set()
+        return {*element.written()} & self.ring.divisors.keys()
 
     def _inverse(self, element: Element, words: str) -> Element:
         """What is below the element, and its other values, over its norm."""
@@ -145,7 +147,7 @@ class Divisors:
         if not (name := next(same, "")):
             name = f"1/{len(self.ring.divisors)}"
             self.ring.adjoin(name)
-            self.ring.divisors[name] = norm
+            self.ring.invert(name, norm)
         self.known[name] = words or say(tree_of(norm))
         self.norms |= set() if exact else {name}
         return self.ring.generator(name)

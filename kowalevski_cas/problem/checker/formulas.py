@@ -117,7 +117,8 @@ class Formulas(Divisors):
             return (self.scalar(parts[0]) ** exponent(parts[1]),)
         if op == "d":
             return (self.partial(*parts),)
-        values = [*map(self.value, parts)]
+        values = [*map(self.value, parts[:1] if op == "/" else parts)]
+        values += map(self.over, parts[1:] if op == "/" else ())
         sizes = {*map(len, values)}
         if op in ("vector", "diag"):
             need(sizes == {1}, "a number is expected, no vector")
@@ -128,6 +129,14 @@ class Formulas(Divisors):
             need(len(sizes) == 1, "a number is added to a vector")
             return tuple(map(self.ring.total, zip(*values, strict=True)))
         return self.multiplied(op, values, max(sizes))
+
+    def over(self, tree: Json) -> Value:
+        """One over the value of a formula; of a power it is a power."""
+        if type(tree) is list and tree[:1] == ["^"]:
+            base, n = operation(tree)[1]
+            if exponent(n):
+                return (self.inverse(self.scalar(base)) ** exponent(n),)
+        return tuple(map(self.inverse, self.value(tree)))
 
     def unary(self, op: str, element: Element) -> Element:
         """An operation on a component."""
@@ -143,9 +152,7 @@ class Formulas(Divisors):
         raise Rejected("a root is taken that is not declared")
 
     def multiplied(self, op: str, values: list[Value], size: int) -> Value:
-        """A product or a quotient, by components, or a product of vectors."""
-        if op == "/":
-            values[1:] = [tuple(map(self.inverse, value)) for value in values[1:]]
+        """A product, by components, or one of vectors."""
         rows = [v * size if len(v) == 1 else v for v in values]
         need({*map(len, rows)} == {size}, "vectors have different lengths")
         if op == "cross":
@@ -169,7 +176,7 @@ class Formulas(Divisors):
     def along(self, element: Element, rates: Rates) -> Element:
         """The derivative; what has no rate is constant, or follows from its relation."""
         found = list[Element]()
-        for name in element.generators():
+        for name in element.written():
             if name not in rates:
                 rates[name] = self._rate(name, rates)
             if rates[name].terms:

@@ -68,6 +68,7 @@ class Kernel(Goal):
 
     def _residues(self, element: Element, at: Map) -> Residues:
         """A polynomial in the variables, at the point of the constants."""
+        element = element.cleared()
         self.ring.spend(len(element.terms))
         need({*element.generators()} <= {*self.space.variables, *self.space.constants},
              "a root or a denominator is in the way")  # fmt: skip
@@ -102,7 +103,7 @@ class Kernel(Goal):
         """
         need(self._rest(element, factor).vanishes(), "what is said to be known is no solution")
         value = element.numerator()
-        below = self.ring.denominator(element.under).generators()
+        below = self.ring.denominator(element.cleared().under).generators()
         need({*below} <= {*self.space.constants}, "it is no polynomial")
         return self._weight(value), self._residues(value, at)
 

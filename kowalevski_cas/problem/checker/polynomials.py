@@ -14,6 +14,7 @@ from .reading import BITS, DEGREE, NAMES, Budget, Rejected, need
 WIDTH = 11  # bits of an exponent in a monomial; the highest of them stays free
 MASK = (1 << WIDTH) - 1
 FEW = 256  # bits
+SHORT = 2  # terms of a divisor by which sums are multiplied at once
 Terms = dict[int, int]
 
 
@@ -36,6 +37,7 @@ class Ring:
         self.powers: dict[str, tuple[Element, Element]] = {}  # bases and exponents
         self.unknown: set[str] = set()  # what may depend on all other names
         self.once, self.squares = 0, 0  # the bits of roots, and of their higher powers
+        self.large = 0  # the bits of inverses of divisors that are not short
         self.guard = 1 << WIDTH - 1
         self.evens: dict[int, tuple[int, int | Element]] = {}  # even powers of roots
         self.denominators: dict[int, Element] = {}  # by the monomials of inverses
@@ -59,6 +61,12 @@ class Ring:
         self.roots[name] = square
         self.once |= 1 << self.at[name]
         self.squares |= MASK - 1 << self.at[name]
+
+    def invert(self, name: str, divisor: Element) -> None:
+        """Give a generator what it is the inverse of."""
+        self.divisors[name] = divisor
+        if len(divisor.terms) > SHORT:
+            self.large |= MASK << self.at[name]
 
     def generator(self, name: str) -> Element:
         """A generator as a polynomial, or the inverse of a divisor."""
@@ -93,14 +101,14 @@ class Ring:
         if len(found) == 1 and found[0][0] == below == 1:
             self.spend(len(parts))
             return found[0][1]
-        common, under, steps, out = 1, 0, 5 + len(parts), Terms()
+        common, steps, out = 1, 5 + len(parts), Terms()
         for _, e in found:
             common = self.multiple(common, e.below) if common % e.below else common
-            under = under if under == e.under else self.larger(under, e.under)
+        under = self.shared([e.under for _, e in found])
         bits = (below * common).bit_length()
         for c, e in found:
             if e.under != under:
-                e = e.times(self.denominator(under - e.under))
+                e = e.over(under)
             c *= common // e.below
             size = c.bit_length()
             bits = max(bits, e.bits + size)
@@ -119,6 +127,24 @@ class Ring:
         need(common.bit_length() <= BITS, "a number is too large")
         self.spend(1 + (common.bit_length() ** 2 >> 14))
         return common
+
+    def joined(self, elements: list[Element]) -> Element:
+        """The sum of elements over all that is below one of them."""
+        elements = [e for e in elements if e.terms]
+        under = reduce(self.larger, (e.under for e in elements), 0)
+        return self.total(e.over(under) for e in elements)
+
+    def monomial(self, inverses: int) -> int:
+        """The monomial of these exponents, with its degree."""
+        return inverses + sum(e for _, e in self.exponents(inverses)) if inverses else 0
+
+    def shared(self, inverses: list[int]) -> int:
+        """What is below a sum: the large divisors that all have, and all the others."""
+        if not inverses or inverses.count(inverses[0]) == len(inverses):
+            return inverses[0] if inverses else 0
+        every = reduce(self.larger, inverses)
+        some = reduce(lambda one, other: one + other - self.larger(one, other), inverses)
+        return every & ~self.large | some & self.large
 
     def larger(self, one: int, other: int) -> int:
         """The least common multiple of monomials of inverses."""
@@ -173,8 +199,10 @@ class Ring:
 class Element:
     """A polynomial over a positive integer and divisors: ``under`` is a monomial of their inverses.
 
-    The terms are without inverses, and have integer coefficients; an element is zero if it has no
-    terms. No integer has more than so many bits; that is no more than a bound while they are few.
+    The terms have integer coefficients. They have inverses in them only where a sum has not all its
+    large divisors in common: so a common denominator is made when it is asked for. An element
+    without terms is zero, and of what is zero all is gone once it is ``cleared``.
+    No integer has more than so many bits; that is no more than a bound while they are few.
     So many steps were taken to find the terms.
     """
 
@@ -254,27 +282,69 @@ class Element:
         whole = Element(ring, out, self.below, bits, self.under)
         return ring.total([whole, *others]) if others else whole
 
+    def over(self, under: int) -> Element:
+        """The same over other divisors: of what is below it, the rest is put into the terms."""
+        ring = self.ring
+        every = ring.larger(self.under, under)
+        more, inverses = every - self.under, every - under
+        e = self.times(ring.denominator(more)) if more else self
+        full, terms = ring.monomial(inverses), e.terms
+        if inverses:
+            degree = max(m & MASK for m in terms) + (full & MASK)
+            need(degree <= DEGREE, "a degree is too large")
+            terms = {m + full: c for m, c in terms.items()}
+        return Element(ring, terms, e.below, e.bits, under)
+
+    def by(self, bits: int) -> dict[int, Element]:
+        """The terms together that have the same in some bits."""
+        groups = defaultdict[int, Terms](dict)
+        for m, c in self.terms.items():
+            groups[m & bits][m] = c
+        self.ring.spend(len(self.terms))
+        return {key: self.with_terms(terms) for key, terms in groups.items()}
+
+    def is_mixed(self) -> bool:
+        """Whether there are inverses in its terms."""
+        return bool(self.ring.large and reduce(or_, self.terms, 0) & self.ring.large)
+
+    def cleared(self) -> Element:
+        """The same with all divisors below it; what has the same ones is added first."""
+        ring, groups = self.ring, defaultdict[tuple[str, ...], list[Element]](list)
+        if not self.is_mixed():
+            return self
+        for inverses, e in self.by(ring.large).items():
+            full = ring.monomial(inverses)
+            terms = {m - full: c for m, c in e.terms.items()}
+            names = tuple(name for name, _ in ring.exponents(inverses))
+            groups[names].append(Element(ring, terms, e.below, e.bits, e.under + inverses))
+        return ring.joined([*map(ring.joined, groups.values())])
+
     def with_terms(self, terms: Terms) -> Element:
         """Other terms, of numbers no larger than here, over the same."""
         return Element(self.ring, terms, self.below, self.bits, self.under)
 
     def numerator(self) -> Element:
         """The element times the divisors below it."""
-        return Element(self.ring, self.terms, self.below, self.bits)
+        whole = self.cleared()
+        return Element(self.ring, whole.terms, whole.below, whole.bits)
 
     def generators(self) -> list[str]:
         """The generators that occur."""
+        return self.cleared().written()
+
+    def written(self) -> list[str]:
+        """The generators that occur as it is written."""
         self.ring.spend(1 + (len(self.terms) >> 3))
         return [name for name, _ in self.ring.exponents(reduce(or_, self.terms, self.under))]
 
     def split(self, name: str) -> dict[int, Element]:
         """The coefficients as a polynomial in one generator."""
         found = defaultdict[int, Terms](dict)
-        shift, unit = self.ring.at[name], self.ring.unit[name]
-        for m, c in self.terms.items():
+        shift, unit, whole = self.ring.at[name], self.ring.unit[name], self.cleared()
+        for m, c in whole.terms.items():
             e = m >> shift & MASK
             found[e][m - e * unit] = c
-        return {e: self.with_terms(terms) for e, terms in found.items()}
+        return {e: whole.with_terms(terms) for e, terms in found.items()}
 
     def partial(self, name: str) -> Element:
         """The derivative by one generator, while the others stay."""
@@ -282,25 +352,28 @@ class Element:
         shift, unit = self.ring.at[name], self.ring.unit[name]
         under, power = self.under, self.under >> shift & MASK
         if power:
-            terms, under = {m: c * power for m, c in self.terms.items()}, under - unit + 1
+            powers = ((m, c, power + (m >> shift & MASK)) for m, c in self.terms.items())
+            terms, under = {m: c * e for m, c, e in powers}, under - unit + 1
         else:
             terms = {m - unit: c * e for m, c in self.terms.items() if (e := m >> shift & MASK)}
-        return Element(self.ring, terms, self.below, self.bits + WIDTH, under)
+        return Element(self.ring, terms, self.below, self.bits + WIDTH + 1, under)
 
     def normed(self) -> tuple[Element, Element]:
         """The product of the other values for all signs of the roots, and with it the norm."""
-        above, norm, roots = self.ring.number(1), self, self.ring.roots
-        for name in reversed(roots) if roots.keys() & self.generators() else ():
-            if name in norm.generators():
+        above, norm, roots = self.ring.number(1), self.cleared(), self.ring.roots
+        for name in reversed(roots) if roots.keys() & norm.written() else ():
+            if name in norm.written():
                 bit = 1 << self.ring.at[name]
                 terms = {m: -c if m & bit else c for m, c in norm.terms.items()}
                 other = norm.with_terms(terms)
-                above, norm = above * other, norm * other
+                above, norm = above * other, (norm * other).cleared()
         return above, norm
 
     def vanishes(self) -> bool:
-        """Whether it is zero wherever it is defined."""
-        return not self.terms
+        """Whether it is zero wherever it is defined: what is before each product of roots."""
+        if not self.is_mixed():
+            return not self.terms
+        return not any(e.cleared().terms for e in self.by(self.ring.once).values())
 
     def differs(self) -> bool:
         """Whether a number is certainly not zero, whatever the signs of its roots."""
@@ -312,6 +385,7 @@ class Element:
 
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""
-        if self.terms and (len(self.terms) > 1 or 0 not in self.terms or self.under):
+        whole = self.cleared()
+        if whole.terms and (len(whole.terms) > 1 or 0 not in whole.terms or whole.under):
             return None
-        return Fraction(self.terms.get(0, 0), self.below)
+        return Fraction(whole.terms.get(0, 0), whole.below)
