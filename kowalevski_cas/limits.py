@@ -23,6 +23,8 @@ LENGTH = 8
 """Bytes before each message that say how long it is."""
 
 
+RUN_OVER = "not decided before the limit of the run"
+
 LOOK = 1.0
 """Seconds after which a process looks whether it is still waited for."""
 
@@ -116,7 +118,10 @@ def run_end() -> float:
 
 @contextmanager
 def run_limit(seconds: float | None) -> Iterator[None]:
-    """A limit for all that processes do for a block: behind it every limit of time is over."""
+    """A limit for all that processes do for a block: behind it every limit of time is over.
+
+    Work without limits of its own is ended soon after that, if it is said what it is worth then.
+    """
     global _until
     before = _until
     _until = before if seconds is None else min(before, monotonic() + seconds)
@@ -178,7 +183,7 @@ def time_limit(seconds: float | None) -> Iterator[None]:
         return
     here = _here
     if here.until <= (now := monotonic()):
-        raise TimeoutError("not decided before the limit of the run")
+        raise TimeoutError(RUN_OVER)
     here.limits += 1
     number = here.limits
     if number in here.given_up:

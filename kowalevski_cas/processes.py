@@ -56,10 +56,13 @@ def each(
     jobs: int = os.cpu_count() or 1,
     heard: Callable[..., None] = lambda *words: None,
     ordered: bool = True,
+    late: Callable[[Item], Result] | None = None,
 ) -> Iterator[Result]:
     """The results of ``work`` on every item, in their order; the first error is raised here.
 
-    If they need not be ``ordered``, each comes as soon as it is there.
+    If they need not be ``ordered``, each comes as soon as it is there. ``late`` gives the results
+    of those that are not done when the run ends (``run_limit``); without it they are waited for,
+    but for what is done there under limits.
 
     ``jobs`` copies of this process work at once, where the system makes such copies: a fork costs
     milliseconds, a new start would cost as much as a proof. What is done soon is done by one of
@@ -75,7 +78,7 @@ def each(
     """
     done = dict[int, _WorkResult[Result]]()
     following = 0
-    take, answers = _next_items(items), partial(_answers, work, jobs, run_end())
+    take, answers = _next_items(items), partial(_answers, work, late, jobs, run_end())
     if hasattr(os, "fork") and has_threads():
         from kowalevski_cas import forkserver  # few processes have threads
 
@@ -113,6 +116,7 @@ class _WorkResult(Generic[Result]):
 
 def _answers(
     work: Callable[[Item], Result],
+    late: Callable[[Item], Result] | None,
     jobs: int,
     until: float,
     take: Callable[[int], tuple[int, Item] | None],
@@ -129,7 +133,7 @@ def _answers(
         while True:
             others = jobs if monotonic() >= alone else 1
             while len(running) < max(1, others) and (item := take(len(running))) is not None:
-                running.append(_Process(work, len(running), running, until))
+                running.append(_Process(work, late, len(running), running, until))
                 running[-1].give(*item)
             if not running:
                 return
@@ -163,17 +167,20 @@ def _next_items(items: Iterable[Item]) -> Callable[[int], tuple[int, Item] | Non
 class _Process(Generic[Item, Result]):
     """A process that works on one item after the other, seen by the one that watches it.
 
-    ``others`` are those that run beside it; nothing is worked on after ``until``.
+    ``others`` are those that run beside it. Under limits nothing is worked on after ``until``; the
+    rest is ended soon after that if it may be ``late``.
     """
 
     def __init__(
         self,
         work: Callable[[Item], Result],
+        late: Callable[[Item], Result] | None,
         number: int,
         others: Sequence[_Process[Item, Result]],
         until: float,
     ) -> None:
-        self.work, self.number, self.others, self.until = work, number, others, until
+        self.work, self.late, self.number = work, late, number
+        self.others, self.until = others, until
         self.start()
 
     def start(self) -> None:
@@ -223,8 +230,10 @@ class _Process(Generic[Item, Result]):
 
     @property
     def deadline(self) -> float:
-        """When the next of its limits ends."""
-        return min(*self.limits.values(), self.until) if self.limits else inf
+        """When the next of its limits ends, or else the time to say what is not done in the run."""
+        if self.limits:
+            return min(*self.limits.values(), self.until)
+        return inf if self.late is None else self.until + GRACE
 
     def is_late(self) -> bool:
         """Whether it has come to a limit, which does not count its waiting for a processor."""
@@ -255,7 +264,14 @@ class _Process(Generic[Item, Result]):
                 case "result":
                     self.answer = _WorkResult(words)
                 case "error":
-                    self.answer = _WorkResult([], words[0])
+                    self.fail(words[0])
+
+    def fail(self, error: BaseException) -> None:
+        """Answer with an error, or with what the item is worth that is late."""
+        if self.late is not None and isinstance(error, TimeoutError):
+            self.answer = _WorkResult([self.late(self.item)])
+        else:
+            self.answer = _WorkResult([], error)
 
     def give_up(self, limit: int | None, error: Exception | None = None) -> None:
         """End the process; the next one does not come under this limit, if there is any.
@@ -266,8 +282,8 @@ class _Process(Generic[Item, Result]):
         error = error or ProcessDied(f"the process that worked on it has died ({how})")
         if limit is not None:
             self.given_up[limit] = error
-        elif self.again:
-            self.answer = _WorkResult([], error)
+        elif self.again or isinstance(error, TimeoutError):
+            self.fail(error)
         else:
             self.again = True
         self.start()
@@ -314,7 +330,7 @@ def _listen(
         if one.reading in ready:
             one.hear(heard)
         elif not ready and one.is_late():
-            one.give_up(min(one.limits, key=lambda n: one.limits[n]), TimeoutError())
+            one.give_up(min(one.limits, key=lambda n: one.limits[n], default=None), TimeoutError())
 
 
 def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> None:

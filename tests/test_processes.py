@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 
 from kowalevski_cas import forkserver
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.limits import ProcessDied, is_watched, tell, time_limit
-from kowalevski_cas.processes import ALONE, each
+from kowalevski_cas.limits import ProcessDied, is_watched, run_limit, tell, time_limit
+from kowalevski_cas.processes import ALONE, GRACE, each
 
 SHORT, LONG = 0.1, 60
 
@@ -198,7 +198,7 @@ def test_who_waits_for_an_item_ends_when_nobody_asks_any_more():
     code = (
         "import os, time\n"
         "from kowalevski_cas.limits import tell\n"
-        "from kowalevski_cas.processes import ALONE, each\n"
+        "from kowalevski_cas.processes import ALONE, GRACE, each\n"
         "work = lambda seconds: tell(os.getpid()) or time.sleep(seconds)\n"
         "heard = lambda pid, _: print(pid, flush=True)\n"
         "list(each(work, [0.5, 0.5, 0.5], jobs=3, heard=heard))"
@@ -210,6 +210,43 @@ def test_who_waits_for_an_item_ends_when_nobody_asks_any_more():
     while any(map(_runs, pids)):
         assert monotonic() < until
         sleep(0.02)
+
+
+def test_the_end_of_a_run_ends_work_without_a_limit():
+    """What is done by then is kept, and of the rest it is said what that is worth."""
+    start = monotonic()
+    with run_limit(SHORT):
+        found = [*each(lambda n: sleep(LONG * (n > 0)) or n, range(3), late=lambda n: -n)]
+    assert found == [0, -1, -2]
+    assert monotonic() - start < LONG / 4
+
+
+def test_behind_the_end_of_a_run_it_is_still_said_what_limits_have_cut_off():
+    def work(_):
+        try:
+            with time_limit(LONG):
+                sleep(LONG)
+        except TimeoutError as error:
+            return str(error)
+
+    with run_limit(SHORT):
+        said = {*each(work, range(3), late=lambda _: "late")}
+    assert said == {"not decided before the limit of the run"}
+
+
+def test_a_limit_that_nobody_waits_for_is_late_too():
+    def work(n):
+        with time_limit(SHORT if n else None):
+            sleep(LONG * bool(n))
+
+    assert [*each(work, range(2), late=lambda _: "late")] == [None, "late"]
+    with pytest.raises(TimeoutError):
+        [*each(work, range(2))]
+
+
+def test_the_end_of_a_run_does_not_end_what_has_no_other_worth():
+    with run_limit(SHORT):
+        assert [*each(lambda n: sleep(2 * GRACE) or n, [1])] == [1]
 
 
 def test_so_many_work_at_once():

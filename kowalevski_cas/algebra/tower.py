@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from functools import partial, reduce
 from itertools import product
 from operator import add, sub
 
@@ -113,8 +112,8 @@ class Ring:
         if left[1] == right[1]:
             return self.add_numerators(left[0], right[0], combine), left[1]
         common = least_common(left[1], right[1])
-        above = (self.expanded(summand, common) for summand in (left, right))
-        return self.add_numerators(*above, combine), common
+        one, other = self.expanded(left, common), self.expanded(right, common)
+        return self.add_numerators(one, other, combine), common
 
     def expanded(self, summand: Summand, denominator: Mapping[int, int]) -> Parts:
         """The numerator of a summand over a larger denominator."""

@@ -225,7 +225,7 @@ class ReadingSession:
                     return interpretation.holds(failing[number], texts)
                 return False
 
-            if sum(each(holds, range(len(failing)))) > 1:
+            if sum(each(holds, range(len(failing)), late=lambda _: False)) > 1:
                 causes.misprints[place] = edit
 
     def _units(self, texts: Texts) -> Iterator[tuple[Printed, Edit]]:
@@ -287,23 +287,33 @@ class ReadingSession:
         texts = self.interpretation.texts.reading(mended)
         again = self._session.under(self.interpretation.under(texts))
         claims = {claim.id: claim for claim in self.interpretation.derivation.claims}
+        mending: list[Outcome] = []
         for outcome in self._run(again, Causes(), rest).outcomes:
             own = outcome.correction is not None and not outcome.correction.blamed
             late = found[outcome.claim].verdict is Verdict.TIMEOUT
             if own or (outcome.verdict.green and not late):
-                causes = self._needed(claims[outcome.claim])
-                self.causes.places[outcome.claim] = causes
-                corrections = () if outcome.correction is None else (outcome.correction,)
-                if not corrections:
-                    self.causes.corrections[outcome.claim] = self._of_others(outcome, causes)
-                failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
-                found[outcome.claim] = failed.corrected_by(corrections)
+                mending.append(outcome)
+        standing = [claims[outcome.claim] for outcome in mending]
+        needed = each(
+            lambda number: self._needed(standing[number]), range(len(standing)),
+            late=lambda number: self._under(standing[number]),
+        )  # fmt: skip
+        for outcome, causes in zip(mending, needed, strict=True):
+            self.causes.places[outcome.claim] = causes
+            corrections = () if outcome.correction is None else (outcome.correction,)
+            if not corrections:
+                self.causes.corrections[outcome.claim] = self._of_others(outcome, causes)
+            failed = found[outcome.claim]._replace(verdict=Verdict.REFUTED, message="")
+            found[outcome.claim] = failed.corrected_by(corrections)
+
+    def _under(self, claim: Claim) -> tuple[Printed, ...]:
+        """The misprints on which a claim stands."""
+        reads, misprints = claim.reads(), self.causes.misprints.items()
+        return tuple(p for p, edit in misprints if not reads.isdisjoint(edited_formulas(p, edit)))
 
     def _needed(self, claim: Claim) -> tuple[Printed, ...]:
         """The misprints on which a claim stands, without those that need not be mended for it."""
-        reads = claim.reads()
-        misprints = self.causes.misprints.items()
-        kept = [p for p, edit in misprints if not reads.isdisjoint(edited_formulas(p, edit))]
+        kept = [*self._under(claim)]
         for place in kept[:]:
             fewer = self.causes.mended([other for other in kept if other != place])
             with suppress(TimeoutError), time_limit(PATIENCE):
@@ -347,7 +357,8 @@ class ReadingSession:
                 return found[about[number].id].verdict if true else Verdict.UNDECIDED
             return Verdict.TIMEOUT
 
-        for claim, now in zip(about, each(verdict, range(len(about))), strict=True):
+        verdicts = each(verdict, range(len(about)), late=lambda _: Verdict.TIMEOUT)
+        for claim, now in zip(about, verdicts, strict=True):
             if not now.green:
                 found[claim.id] = found[claim.id]._replace(
                     verdict=now, certificate="",

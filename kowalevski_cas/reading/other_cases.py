@@ -84,7 +84,7 @@ class OtherCases:
             held = (may_hold(one, interpretation.on(one.claim)) for one in rungs)
             return not (rungs and all(held) if asked[place] in again else any(held))
 
-        found = [*each(fails, range(len(asked)))]
+        found = each(fails, range(len(asked)), late=lambda _: False)
         self.rows = [row for row, failing in zip(asked, found, strict=True) if failing]
 
     def _is_asked(self, item: SourceStatement, rungs: Sequence[Rung]) -> bool:

@@ -252,9 +252,14 @@ class _DerivationReader:
                 return choice, resting_on, None
             return choice, resting_on, decide(rungs[choice.place].claim)
 
-        found = each(received(choice), range(len(waiting)), heard=lambda *words: heard(*words[:3]))
+        def late(_: int) -> tuple[Choice, str, Outcome | None]:
+            return Choice(0, OVERDUE), "", None
+
+        found = each(
+            received(choice), range(len(waiting)), heard=lambda *words: heard(*words[:3]), late=late
+        )
         for item, (choice_of, resting_on, outcome) in zip(waiting, found, strict=True):
-            if self.choices is not None and choice_of.place is not None:
+            if self.choices is not None and resting_on and choice_of.place is not None:
                 self.choices[resting_on] = choice_of
             if referee is not None and outcome is not None:
                 outcomes[outcome.claim] = referee.receive(item, outcome)

@@ -9,11 +9,12 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from math import inf
+from time import monotonic
 from typing import NamedTuple, TypeVar
 
 from kowalevski_cas import UserError
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.limits import clock
+from kowalevski_cas.limits import clock, run_end
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.denominators import Shape, factors_below, factors_of, granted_factors
 from kowalevski_cas.problem import checker
@@ -103,7 +104,8 @@ def receive(
     """
     start = clock()
     spent = sum([*outcome.seconds.values()][:1])
-    until = inf if timeout is None else start + max(timeout - spent, LEAST)
+    left = min(inf if timeout is None else timeout - spent, run_end() - monotonic())
+    until = start + max(left, LEAST)
     verdict, said = Verdict.ERROR, ""
     try:
         need_certificates(outcome, until, known, jobs)

@@ -8,7 +8,7 @@ from math import inf
 from traceback import format_exc
 from typing import Protocol
 
-from kowalevski_cas.limits import ProcessDied, clock, time_limit
+from kowalevski_cas.limits import RUN_OVER, ProcessDied, clock, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.problem.examine import Unproved
@@ -94,6 +94,11 @@ class Decider:
         # SystemExit is no Exception, and would end the whole run with this claim
         except (Exception, SystemExit) as error:
             return self.error_outcome(claim, error)
+
+    def late(self, claim: Claim) -> Outcome:
+        """The outcome for a claim that is not decided before the run ends."""
+        on = self.interpretation.on(claim)
+        return self.writer.without_evidence(claim, on, Verdict.TIMEOUT, RUN_OVER)
 
     def error_outcome(self, claim: Claim, error: BaseException) -> Outcome:
         """The outcome for a claim where something goes wrong that nobody has thought of."""

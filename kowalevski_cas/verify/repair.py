@@ -15,8 +15,11 @@ from kowalevski_cas.verify.decider import PROVING, Decider
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.suspects import Repairs
 
-Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
-"""How something is done for each of several items: here, or in processes of their own."""
+Work = Callable[[Callable[[Any], Any], Sequence[Any], Callable[[Any], Any]], Iterable[Any]]
+"""How something is done for each of several items: here, or in processes of their own.
+
+What is given last says what comes of an item when the run ends before that is done.
+"""
 
 
 def blame_of(decider: Decider, outcomes: Sequence[Outcome]) -> Blame:
@@ -40,7 +43,7 @@ def repair(
             return _common_repair(blame, clusters[place], decider)
 
         shared: Repairs = {}
-        for repairs in work(together, range(len(clusters))):
+        for repairs in work(together, range(len(clusters)), lambda _: {}):
             shared |= repairs
         for id, corrections in shared.items():
             found[id] = found[id].corrected_by(corrections)
@@ -58,7 +61,7 @@ def repair(
             except (Exception, SystemExit) as error:
                 return decider.error_outcome(claim, error)
 
-        for outcome in work(alone, range(len(left))):
+        for outcome in work(alone, range(len(left)), lambda place: found[left[place].id]):
             found[outcome.claim] = outcome
     return [*found.values()]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
 from itertools import count, permutations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.library import library
 from kowalevski_cas.limits import is_watched, tell
@@ -56,12 +56,17 @@ def decide_together(
         tell(claim.id)
         return number, session.decide(claim)
 
+    def not_decided(number: int) -> tuple[int, Outcome]:
+        session, claim = tasks[number]
+        return number, session.decider.late(claim)
+
     def hear(claim: str, _: int) -> None:
         progress(claim, next(begun), len(tasks))
 
     while numbers := range(first, first := len(tasks)):
         # each is checked as soon as it is there, while others are decided
-        for number, outcome in each(received(decide_one), numbers, heard=hear, ordered=False):
+        found = each(received(decide_one), numbers, heard=hear, ordered=False, late=not_decided)
+        for number, outcome in found:
             session, claim = tasks[number]
             session.decided[claim.id] = receive(outcome, session.decider.timeout)
         behind = (pair for k in numbers for pair in tasks[k][0].behind(tasks[k][1]))
@@ -73,7 +78,11 @@ def correct_together(
     session: Session, outcomes: Sequence[Outcome], blame: Blame | None = None
 ) -> list[Outcome]:
     """The outcomes with corrections that other processes find, and are received from them."""
-    found = session.with_corrections(outcomes, lambda work, of: each(received(work), of), blame)
+
+    def work(work: Callable[[Any], Any], of: Sequence[Any], late: Callable[[Any], Any]) -> Any:
+        return each(received(work), of, late=late)
+
+    found = session.with_corrections(outcomes, work, blame)
     pairs = zip(outcomes, found, strict=True)
     return [new if new is old else receive(new, known=old) for old, new in pairs]
 
@@ -155,7 +164,7 @@ class Session:
         """
         if self.decider.timeout is None or is_watched():
             found = [self.outcome(claim) for claim in self.chosen(only)]
-            return self.result(self.with_corrections(found, map))
+            return self.result(self.with_corrections(found, lambda work, of, _: map(work, of)))
         (run,) = run_together([self], only)
         return run
 

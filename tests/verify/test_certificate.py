@@ -54,7 +54,9 @@ def decided(derivation):
     def decided(id, stored, record=()):
         session.decider.archive.certificates = dict(stored)
         session.decider.corrector.record = dict(record)
-        return session.with_corrections([session.decide(claims[id])], map)[0]
+        return session.with_corrections(
+            [session.decide(claims[id])], lambda work, of, _: map(work, of)
+        )[0]
 
     return decided
 
