@@ -85,7 +85,7 @@ def misprints(
         partial(_terms, names, vocabulary),
         partial(_additions, names, vocabulary),
         partial(_rates, _rates_of(formula), vocabulary),
-        _exchanges,
+        partial(_exchanges, vocabulary),
     ):
         for place in places:
             yield from slips(place)
@@ -353,8 +353,11 @@ def _terms(names: list[str], vocabulary: Vocabulary, place: _NodePlace) -> Itera
                 yield "missing", place.path, Sum((Name(name), node)), words
 
 
-def _exchanges(place: _NodePlace) -> Iterator[Misprint]:
-    """Two names, or the sine and the cosine, each in the place of the other in a whole member."""
+def _exchanges(vocabulary: Vocabulary, place: _NodePlace) -> Iterator[Misprint]:
+    """Two names, or the sine and the cosine, each in the place of the other in a whole member.
+
+    Where that puts terms, or factors, into another order only, nothing is exchanged.
+    """
     node = place.node
     if isinstance(node, Relation) or not isinstance(place.parent, Relation | None):
         return
@@ -362,7 +365,21 @@ def _exchanges(place: _NodePlace) -> Iterator[Misprint]:
     names = [node.name for node in nodes if isinstance(node, Name)]
     functions = {node.function for node in nodes if isinstance(node, Application)}
     for pair in (*combinations(names, 2), *(both for both in _PAIRS if functions.issuperset(both))):
-        yield "exchange", place.path, _swap(node, pair), f"exchange ${pair[0]}$ and ${pair[1]}$"
+        swapped = _swap(node, pair)
+        if _in_order(swapped, vocabulary) != _in_order(node, vocabulary):
+            yield "exchange", place.path, swapped, f"exchange ${pair[0]}$ and ${pair[1]}$"
+
+
+def _in_order(formula: Formula, vocabulary: Vocabulary) -> Formula:
+    """A formula with the terms of sums, and factors that are numbers, in one order."""
+    ordered = formula.map_children(partial(_in_order, vocabulary=vocabulary))
+    if isinstance(ordered, Sum):
+        return Sum(tuple(sorted(ordered.terms, key=repr)))
+    if isinstance(ordered, Product) and all(
+        rank(one, vocabulary) == SCALAR for one in ordered.factors
+    ):
+        return Product(tuple(sorted(ordered.factors, key=repr)))
+    return ordered
 
 
 def _swap(formula: Formula, pair: tuple[str, str]) -> Formula:

@@ -214,7 +214,7 @@ class Span:
         self._rows: dict[str, Scale] = {**rows} if rows else {}
 
     def __contains__(self, scale: Scale) -> bool:
-        return not self._rest(scale)
+        return not self.rest(scale)
 
     def copy(self) -> Span:
         """The same, to be added to."""
@@ -222,7 +222,7 @@ class Span:
 
     def add(self, scale: Scale) -> bool:
         """Let a scale be none; whether that says anything new."""
-        rest = self._rest(scale)
+        rest = self.rest(scale)
         if not rest:
             return False
         first = min(rest)
@@ -233,14 +233,14 @@ class Span:
         """Whether that some scales are none says no more than what some new names are."""
         found = self.copy()
         for scale in scales:
-            if rest := found._rest(scale):
+            if rest := found.rest(scale):
                 own = [name for name in rest if name in new]
                 if not own:
                     return False
                 found._rows[own[0]] = _product([(rest, pow(rest[own[0]], -1, MODULUS))])
         return True
 
-    def _rest(self, scale: Scale) -> Scale:
+    def rest(self, scale: Scale) -> Scale:
         """What is left of a scale."""
         rest: Scale = scale
         while found := [name for name in rest if name in self._rows]:

@@ -19,6 +19,7 @@ from kowalevski_cas.notation.formula import (
     Partial,
     Power,
     Product,
+    Sum,
     Transposed,
 )
 from kowalevski_cas.notation.functions import EXTREMES, LETTERS, OF_A_MATRIX
@@ -234,7 +235,7 @@ class Symbols(Cursor):
         return listed[0][0] if len(listed) == 1 else None
 
     def phase(self) -> Piece | None:
-        r"""Constants and what moves, as in \cos\omega t or \sin kx; ``None``, and no move, else.
+        r"""Constants and what moves, as in \cos\omega t or \sin k(x-ct); ``None``, and no move, else.
 
         Of what else stands side by side behind a function it cannot be seen how far it reaches.
         """
@@ -246,7 +247,8 @@ class Symbols(Cursor):
         moving = self.vocabulary.times
         if self.says_what_moves:
             moving |= self.vocabulary.moving
-        moves = isinstance(last, Name) and last.name in moving
+        moves = isinstance(last, Name | Sum) and not last.names().isdisjoint(moving)
+        moves = moves and not _is_bent(last)
         if before and moves and all(node.names().isdisjoint(moving) for node in before):
             return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
         self.at, self.level = start, level
@@ -386,10 +388,26 @@ class Symbols(Cursor):
         return None
 
     def stands_apart(self, argument: Formula, token: Token) -> bool:
-        r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t."""
+        r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t.
+
+        So does a bracket of which no phase is made, as in \sin\theta(1-\cos\theta).
+        """
+        if isinstance(argument, Name) and token.kind == "open" and self.is_before_bent():
+            return True
         gap = self.tex[self.tokens[self.at - 1].end : token.start]
         apart = token.text not in self.vocabulary.times and token.kind in ("open", "letter")
         return isinstance(argument, Name) and apart and _SPACE.search(gap) is not None
+
+    def is_before_bent(self) -> bool:
+        """Whether functions or powers stand in the bracket that begins here, and no time."""
+        start, level = self.at, self.level
+        try:
+            inside = self.factor()[0]
+            return _is_bent(inside) and inside.names().isdisjoint(self.vocabulary.times)
+        except NotationError:
+            return False
+        finally:
+            self.at, self.level = start, level
 
     def ends_argument(self, token: Token) -> bool:
         """Whether no argument of a function goes on here: at another function, or at a rate."""
@@ -401,6 +419,11 @@ def _may_be_inverse(exponent: Formula) -> bool:
     return isinstance(exponent, Negative) and not (
         isinstance(exponent.argument, Number) and exponent.argument.value > 1
     )
+
+
+def _is_bent(formula: Formula) -> bool:
+    """Whether functions or powers stand in a formula, as in no phase."""
+    return any(isinstance(node, Application | Power) for node in formula.nodes())
 
 
 def _with_accents(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> Piece:

@@ -65,6 +65,19 @@ def is_told_apart(one: SourceStatement, sentence: Iterable[SourceStatement]) -> 
     )
 
 
+def proves(
+    one: SourceStatement, item: SourceStatement, items: Iterable[SourceStatement], prose: Prose
+) -> bool:
+    """Whether a statement stands in the proof of a theorem that says something of one case only."""
+    if one.theorem is None or one.theorem != item.theorem:
+        return False
+    proof = _PROOF.search(prose.text, one.typed.end, item.typed.start)
+    stated = (o for o in items if o.theorem == one.theorem and o.members)
+    return proof is not None and all(
+        o.sentence == one.sentence for o in stated if o.typed.start < proof.start()
+    )
+
+
 def _case_of(item: SourceStatement, prose: Prose) -> str:
     """The name of the case of a statement; of the only one of its theorem, in the proof of this."""
     if found := _OF.search(item.before):

@@ -8,7 +8,8 @@ paper takes units in which something is 1.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
 from typing import NamedTuple
 
 from kowalevski_cas.notation import (
@@ -30,6 +31,7 @@ from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.notation.misprints import Misprint, factors_of, misprints
 from kowalevski_cas.notation.scales import MODULUS, TIME, Scale, Scales, Span
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.formulas import BY_NO_TIME, tree_of
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, LAW, LEVEL, Known
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
@@ -171,8 +173,21 @@ class _Dimensions:
         new = {name for name in own if self.counts[name] == 1}
         if others.explains(self.said[item].all, new):
             return []  # it says no more than how these scale
-        found = [atom for atom in atoms if atom in with_it and not atom.keys() <= new]
+        alike = self._with_alike(own, others)
+        found = [
+            one for one in atoms if one in with_it and one not in alike and not one.keys() <= new
+        ]
         return sorted(found, key=lambda atom: own.isdisjoint(atom))
+
+    def _with_alike(self, names: Collection[str], others: Span) -> Span:
+        """What is said, if letters with several indices scale alike where others say no more."""
+        found = others.copy()
+        for one, other in combinations(sorted(names), 2):
+            if symbol(one).letter == symbol(other).letter:
+                ratio = {one: 1, other: -1}
+                if others.rest(ratio).keys() <= ratio.keys():
+                    found.add(ratio)
+        return found
 
     def _without_each(
         self, groups: Sequence[list[SourceStatement]], base: Span

@@ -169,6 +169,7 @@ def with_values(words: Vocabulary, texts: Iterable[str]) -> Vocabulary:
         scalars=every(words.scalars),
         vectors=every(words.vectors),
         matrices=every(words.matrices),
+        moving=every(words.moving),
     )
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Name, NotationError, Number, Power, Quotient
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.names import BRACKET, head
-from kowalevski_cas.reading.cases import is_told_apart, named_case
+from kowalevski_cas.reading.cases import is_told_apart, named_case, proves
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
@@ -379,7 +379,8 @@ class Known:
         if kind.startswith("set") or kind in (CONSTRAINT, BEGINNING, UNKNOWNS):
             return False
         if kind.endswith("of the sentence"):
-            return one.sentence == item.sentence or names_case(one, item)
+            here = one.sentence == item.sentence or names_case(one, item)
+            return here or proves(one, item, self.items, self.paper.prose)
         if kind == FUNCTION and one.section is not item.section:
             return False
         return self.is_within(one, item) and goes_on(

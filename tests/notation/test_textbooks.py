@@ -62,6 +62,12 @@ ONE_READING = {
             Application(r"\sin", (theta,)),
         )
     ),
+    r"\sin\omega(t-q)": Application(
+        r"\sin", (Product((Name(r"\omega"), Sum((Name("t"), Negative(q))))),)
+    ),
+    r"\sin\theta(1-\cos\theta)": Product(
+        (Application(r"\sin", (theta,)), Sum((Number(1), Negative(Application(r"\cos", (theta,))))))
+    ),
     r"\operatorname{tg}\frac\theta2": Application(r"\tan", (Quotient(theta, two),)),
     r"{\rm sn}^2(q,k)": Power(Application(r"\mathrm{sn}", (q, Name("k"))), two),
     r"\sh x\ch x": Product((Application(r"\sinh", (x,)), Application(r"\cosh", (x,)))),

@@ -171,3 +171,27 @@ def test_what_a_clause_with_if_supposes_of_a_vector_is_supposed():
     )
     assert verdicts(text % "0")[r"\dot M_1=0"].green
     assert not verdicts(text % "M_2")[r"\dot M_1=M_2"].green
+
+
+ROSES = r"\begin{equation}\ddot x=-x-2xy,\qquad \ddot y=-y-x^2-ky^2.\end{equation} "
+FIRST = r"If $k=1$, then \begin{equation} F=\dot x\dot y+xy+xy^2+\frac13x^3 \end{equation} is a first integral."
+ENERGY = r"The function $E=\frac12(\dot x^2+\dot y^2+x^2+y^2)+x^2y+\frac k3y^3$ is an integral."
+
+
+@pytest.mark.parametrize(
+    ("stated", "words", "row", "supposed"),
+    sampled(
+        [
+            (FIRST, "Put $u=x+y$. Then", r"\ddot u=-u-u^2", True),
+            (FIRST, "Put $u=x+y$. Then", r"\ddot u=-u+u^2", False),
+            (FIRST, "Put $u=x+y$. For any $k$ we have", r"\ddot u=-u-u^2", False),
+            (ENERGY + " " + FIRST, "Put $u=x+y$. Then", r"\ddot u=-u-u^2", False),
+            (FIRST + " If $k=6$, there is another one.", "Put $u=x+y$. Then", r"\ddot u=-u-u^2", False),
+        ],
+        2,
+    ),
+)  # fmt: skip
+def test_the_only_case_of_a_theorem_is_that_of_its_proof(stated, words, row, supposed):
+    text = rf"{ROSES}\begin{{theorem}} {stated} \end{{theorem}}"
+    text += rf"\begin{{proof}} {words} \begin{{equation}} {row}. \end{{equation}} \end{{proof}}"
+    assert verdicts(text)[row].green is supposed

@@ -74,6 +74,9 @@ TRUE = [
     r"""The bob of mass $m$ on a thread of length $b$ has the energy
     \[ E=\frac12mb^2\dot\chi^2-mgb\cos\chi . \] The equation is \[ \ddot\chi=-\frac gb\sin\chi . \]
     For small $\chi$ put $\chi=Ce^{i\omega t}$ and $\omega^2=\frac gb$.""",
+    # what is said of momenta together is said of each
+    r"""Let \[ H=\frac12(p_x^2+p_y^2)+\frac12(x^2+y^2)+x^2y+\frac13y^3 . \] The equations are
+    \[ \ddot x=-x-2xy,\qquad \ddot y=-y-x^2-y^2 , \] and an integral is \[ F=p_xp_y+xy+xy^2+\frac13x^3 . \]""",
     # a raised index is no power
     r"""The scheme for $\dot f=h$, $\dot h=-\kappa f$ is
     \[ f^{n+1}=f^n+\tau h^n,\qquad h^{n+1}=h^n-\tau\kappa f^n . \]""",
