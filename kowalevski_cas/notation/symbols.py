@@ -235,7 +235,7 @@ class Symbols(Cursor):
         return listed[0][0] if len(listed) == 1 else None
 
     def phase(self) -> Piece | None:
-        r"""Constants and what moves, as in \cos\omega t or \sin k(x-ct); ``None``, and no move, else.
+        r"""Constants and what moves: \cos\omega t, \sin k(x-ct); ``None``, and no move, else.
 
         Of what else stands side by side behind a function it cannot be seen how far it reaches.
         """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Name, Relation
+from kowalevski_cas.notation import EQUALITIES, Name, Relation
 from kowalevski_cas.paper.claims.measure import DIVERGENCE
 from kowalevski_cas.reading.known import CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.measures import with_divergence
@@ -58,11 +58,12 @@ def divergence(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is said to be the divergence of the equations of motion."""
     if item.formula is None or not any(not law.images for law in known.laws):
         return None
-    if item.bare[:1] == (DIVERGENCE,):
+    if Name(DIVERGENCE) in (item.formula.members[:1] if isinstance(item.formula, Relation) else ()):
         if _names_field(item, known) and not _IS_MOTION.search(f"{item.words} {item.earlier[:1]}"):
             return StatementRole(OTHER, "the divergence of a field that may be any")
         return StatementRole(CLAIM, "“div” is the divergence of the field", "divergence")
-    if isinstance(item.formula, Relation) or not (said := _OF_FIELD.search(item.before)):
+    said = _OF_FIELD.search(item.before)
+    if said is None or (isinstance(item.formula, Relation) and item.formula.signs[0] in EQUALITIES):
         return None
     return StatementRole(CLAIM, f"“{said[0].strip()}” says what it is", "divergence")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
+from kowalevski_cas.notation import Formula, Name, Vector, to_latex
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
@@ -142,7 +142,7 @@ def trace_or_determinant(item: SourceStatement, known: Known) -> StatementRole |
     found = _NUMBER_OF_MATRIX.search(item.before)
     if found is None or item.formula is None or item.derives:
         return None
-    if isinstance(item.formula, Relation) and len(item.members) != 2:
+    if item.members and len(item.members) != 2:
         return None
     if known.varying(item.names) or not point_of_number(item, known):
         return None

@@ -23,7 +23,8 @@ POINT, MARKED = "rest point", "rest in marked letters"
 _REST = (
     r"(?:equilibri(?:um|a)(?:\s+(?:points?|positions?|states?|solutions?))?"
     r"|(?:states?|points?|positions?)\s+of\s+(?:rest|equilibrium)"
-    r"|(?:rest|singular|stationary|fixed|critical)\s+points?|(?:steady|stationary)\s+states?)"
+    r"|(?:rest|singular|stationary|fixed|critical|coexistence)\s+points?"
+    r"|(?:points?|states?)\s+of\s+coexistence|(?:steady|stationary|endemic)\s+states?)"
 )
 _RUSSIAN = (
     r"(?:положени\w+\s+равновесия|состояни\w+\s+(?:покоя|равновесия)|равновеси\w+"

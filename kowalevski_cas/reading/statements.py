@@ -257,7 +257,7 @@ class SourcePaper:
         What is small in the name of something, as in “the frequency of small oscillations”, is none
         of them. A model may be approximate itself: so are the equations of motion that come first,
         and those that words set up behind these words in their sentence, for what did not move
-        before.
+        before, and is given by nothing else.
         """
         rows = [item for item in self.items if item.rates and not item.typed.inline]
         model = next((item.typed.end for item in rows), self.prose.start)
@@ -272,9 +272,10 @@ class SourcePaper:
             behind = [one for one in rows if one.sentence == sentence]
             row = next((one for one in behind if one.typed.start > said.start()), None)
             words = self.prose.between(said.end(), row.typed.start) if row is not None else ""
-            before = (one for one in self.items if one.typed.start < sentence[0])
-            moving = {name for one in before for name in one.rates}
-            if row is None or not cue("system", words) or moving & {*row.rates}:
+            before = [one for one in self.items if one.typed.start < sentence[0]]
+            known = {name for one in before for name in one.rates}
+            known |= {name for one in self.items if len(one.members) > 1 for name in one.bare}
+            if row is None or not cue("system", words) or known & {*row.rates}:
                 found.append(said.start())
         return found
 

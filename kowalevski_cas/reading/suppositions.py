@@ -92,10 +92,9 @@ _POSITIVE_BEHIND = re.compile(
 
 _CLOSE = 60
 """So many signs before a letter stand words that are about it."""
-_NOT_OF_EACH = re.compile(
-    r"\b(?:of|either|neither|or|unlike|или|либо|из)\b|\[\d|\\cite", re.IGNORECASE
-)
-"""Words before letters that do not speak of each of them, or not of these."""
+_NOT_OF_THESE = re.compile(r"\b(?:either|neither|or|unlike|или|либо)\b|\[\d|\\cite", re.IGNORECASE)
+_OF = re.compile(r"\b(?:of|из)\b", re.IGNORECASE)
+"""Words before letters that do not speak of these, or not of each of them."""
 
 
 def is_called_positive(item: SourceStatement, known: Known) -> bool:
@@ -104,9 +103,11 @@ def is_called_positive(item: SourceStatement, known: Known) -> bool:
     if known.varies(item.formula.name) or cue("if", item.before) or cue("denied", item.words):
         return False
     before, behind = joined_lead(item), joined_tail(item)
-    if _NOT_OF_EACH.search(item.before[-_CLOSE:]):
+    close = item.before[-_CLOSE:]
+    if _NOT_OF_THESE.search(close):
         return False
-    return bool(_POSITIVE_BEFORE.search(before) or _POSITIVE_BEHIND.match(behind))
+    each = _POSITIVE_BEHIND.match(behind) and not _OF.search(close)
+    return bool(_POSITIVE_BEFORE.search(before) or each)
 
 
 _OF_NEW = re.compile(

@@ -36,6 +36,11 @@ def test_a_multiplier_in_the_plane(words, density, green):
         (r"Its divergence is \[ -z . \]", True),
         (r"We find $\operatorname{div}=-z$.", True),
         (r"We find $\operatorname{div}=-y$.", False),
+        (r"The divergence of the field is \[ -z<1-z . \]", True),
+        (r"The divergence of the field is \[ -y<1-y . \]", False),
+        (r"The divergence of the field is \[ -z<-z-1 . \]", False),
+        (r"We find \[ \operatorname{div}=-z<1-z . \]", True),
+        (r"We find \[ \operatorname{div}=z<1+z . \]", False),
     ],
 )
 def test_what_a_flow_does_to_volumes(words, green):

@@ -150,3 +150,22 @@ def test_at_a_point_of_marked_letters(value, green):
     found = verdicts(text)
     assert [one.green for tex, one in found.items() if "mu" in tex] == [green]
     assert [one.green for tex, one in found.items() if "_*" in tex] == [True]
+
+
+DAMPED = r"Let \[ \dot x=-ax,\qquad \dot y=-by+x^2 \] with positive constants $a$, $b$. "
+
+
+@pytest.mark.parametrize(
+    ("words", "greens"),
+    [
+        (r"The eigenvalues at the origin are $-a<0$ and $-b<0$.", [True, True]),
+        (r"The eigenvalues at the origin are $-2a<0$ and $-b>0$.", [False, False]),
+        (r"The eigenvalues at the origin are $\lambda=-a<0$ and $\mu=-2b<0$.", [True, False]),
+        (r"The trace of the linear part at the origin is $-a-b<0$.", [True]),
+        (r"The trace of the linear part at the origin is $-a-2b<0$.", [False]),
+        (r"The determinant of the linear part at the origin is $D=ab>0$.", [True]),
+        (r"The determinant of the linear part at the origin is $D=a>0$.", [False]),
+    ],
+)
+def test_what_has_a_sign_is_still_what_words_call_it(words, greens):
+    assert [one.green for one in verdicts(DAMPED + words).values()] == greens

@@ -292,6 +292,7 @@ def test_what_gives_a_constant_of_the_law_by_others_defines_it(definition):
         ("where the constant $k$ is positive", r"\le", True),
         ("with a positive constant $k$", r"\le", True),
         ("with positive constants $j$ and $k$", r"\le", True),
+        ("of the system with positive constants $j$, $k$", r"\le", True),
         ("где $k$ положительна", r"\le", True),
         ("where $k$ is a positive constant", r"\ge", False),
         ("where $k$ is a constant", r"\le", False),

@@ -151,7 +151,7 @@ class Claim(_Kind, ABC):
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         """The formulas of the claim, as the paper prints them."""
-        return tuple(texts.formula(place) for place in self.shown())
+        return tuple(map(texts.as_printed, self.shown()))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         """Statements one edit away, the most plausible corrections first.

@@ -29,6 +29,7 @@ from kowalevski_cas.paper.claims.forms import (
     slope,
     vanishes,
 )
+from kowalevski_cas.paper.claims.inequality import compared, told_apart
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -53,8 +54,13 @@ class OfLinearPart(Claim):
 
     def _value(self, on: Elaborations, space: Elaboration) -> Formula:
         """What is printed, or the last member of the equation that is."""
-        printed = on.texts.formula(self.own)
-        return space.plain(members(printed)[-1] if isinstance(printed, Relation) else printed)
+        return space.plain(told_apart(on.texts.as_printed(self.own))[0][-1])
+
+    def _compared(self, on: Elaborations) -> Iterator[Goal]:
+        """What the printed value is compared with, as in :math:`\\lambda=-a<0`."""
+        chain = told_apart(on.texts.as_printed(self.own))[1]
+        if chain is not None:
+            yield from compared(on, self.scene, chain)
 
 
 class Eigenvalue(OfLinearPart):
@@ -70,6 +76,7 @@ class Eigenvalue(OfLinearPart):
         matrix = _minus(_linear_part(space), value)
         yield Fails(space, (), given)
         yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
+        yield from self._compared(on)
 
 
 class Frequency(OfLinearPart):
@@ -89,6 +96,7 @@ class Frequency(OfLinearPart):
         matrix = _minus(_product(matrix, matrix), Negative(square))
         yield Fails(space, ((vanishes(square),),), given)
         yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
+        yield from self._compared(on)
 
 
 class CharacteristicEquation(OfLinearPart):
@@ -162,6 +170,7 @@ class TraceOrDeterminant(OfLinearPart):
         own = trace if self.is_trace else determinant(matrix)
         same = vanishes(total((self._value(on, space), Negative(own))))
         yield Follows(space, ((same, *_rest(space)),), given)
+        yield from self._compared(on)
 
 
 class LinearPart(OfLinearPart):

@@ -31,6 +31,7 @@ from kowalevski_cas.paper.claims.forms import (
     rate,
     vanishes,
 )
+from kowalevski_cas.paper.claims.inequality import compared, told_apart
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -60,12 +61,16 @@ def moving(space: Elaboration) -> tuple[str, ...]:
 
 
 class Divergence(Claim):
-    """The printed expression, or what is printed as equal to “div”, is the field's divergence."""
+    """The printed expression, or what is printed as equal to “div”, is the field's divergence.
+
+    What it is compared with behind that, as in :math:`\\mathrm{div}=-2k<0`, is claimed as well.
+    """
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        printed = on.texts.formula(self.own)
-        sides = members(printed) if isinstance(printed, Relation) else [printed]
+        sides, chain = told_apart(on.texts.as_printed(self.own))
+        if chain is not None:
+            yield from compared(on, self.scene, chain)
         values = [space.plain(side) for side in sides if side != Name(DIVERGENCE)]
         if not values:
             raise Meaningless("the divergence is not printed")
