@@ -57,7 +57,7 @@ class OfLinearPart(Claim):
         return space.plain(told_apart(on.texts.as_printed(self.own))[0][-1])
 
     def _compared(self, on: Elaborations) -> Iterator[Goal]:
-        """What the printed value is compared with, as in :math:`\\lambda=-a<0`."""
+        r"""What the printed value is compared with, as in :math:`\lambda=-a<0`."""
         chain = told_apart(on.texts.as_printed(self.own))[1]
         if chain is not None:
             yield from compared(on, self.scene, chain)

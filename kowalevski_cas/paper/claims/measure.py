@@ -61,9 +61,9 @@ def moving(space: Elaboration) -> tuple[str, ...]:
 
 
 class Divergence(Claim):
-    """The printed expression, or what is printed as equal to “div”, is the field's divergence.
+    r"""The printed expression, or what is printed as equal to “div”, is the field's divergence.
 
-    What it is compared with behind that, as in :math:`\\mathrm{div}=-2k<0`, is claimed as well.
+    What it is compared with behind that, as in :math:`\mathrm{div}=-2k<0`, is claimed as well.
     """
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
