@@ -40,7 +40,7 @@ from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.linear_parts import KIND
 from kowalevski_cas.reading.obey import SAID, SKIPPED
-from kowalevski_cas.reading.small_oscillations import FREQUENCY
+from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY
 from kowalevski_cas.reading.uncovered import Uncovered, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
@@ -130,24 +130,30 @@ class ReadingSession:
                 )
 
     def _leave_unproved(self, found: dict[str, Outcome]) -> None:
-        """Take the verdict from what is true only with an eigenvalue that is not proved.
+        """Take the verdict from what is true only with something that is not proved.
 
-        What else is claimed is true of names that have their meaning without it.
+        That is an eigenvalue, or the linear equation of which a statement gives the frequency. What
+        else is claimed is true of names that have their meaning without it.
         """
-        unproved = {
-            formula.item.printed: id
-            for id, formula in self.claiming.items()
-            if not found[id].verdict.green and formula.role.kind in (KIND, FREQUENCY)
+        proved = {
+            formula.item.printed for id, formula in self.claiming.items() if found[id].verdict.green
         }
+        unproved = {
+            formula.item.printed: formula.role.kind
+            for formula in self.reading.formulas
+            if formula.role.name == CLAIM and formula.item.printed not in proved
+        }
+        values = {place for place, kind in unproved.items() if kind in (KIND, FREQUENCY)}
         for claim in self.interpretation.derivation.claims:
             formula = self.claiming[claim.id]
             cited = {formula.item.printed, *(one.printed for one in formula.on)}
-            rests = sorted(unproved[one] for one in claim.reads() & unproved.keys() - cited)
+            of = unproved.keys() if formula.role.kind in (FREQUENCY, CHARACTERISTIC) else values
+            rests = sorted((claim.reads() & of) - cited, key=lambda one: one.tex)
             if found[claim.id].verdict.green and rests:
-                by = self.claiming[rests[0]].item.printed.tex
                 found[claim.id] = found[claim.id]._replace(
-                    verdict=Verdict.UNDECIDED, message=BY_UNPROVED.format(by), certificate=""
-                )
+                    verdict=Verdict.UNDECIDED, message=BY_UNPROVED.format(rests[0].tex),
+                    certificate="",
+                )  # fmt: skip
 
     def _leave_places(self, found: dict[str, Outcome]) -> None:
         """Call nothing false that may be said of one place, or of one time."""

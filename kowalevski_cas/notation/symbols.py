@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
@@ -248,11 +248,17 @@ class Symbols(Cursor):
         if self.says_what_moves:
             moving |= self.vocabulary.moving
         moves = isinstance(last, Name | Sum) and not last.names().isdisjoint(moving)
-        moves = moves and not _is_bent(last)
+        moves = moves and not _is_bent(last) and not self.is_apart(factors[-2:])
         if before and moves and all(node.names().isdisjoint(moving) for node in before):
             return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
         self.at, self.level = start, level
         return None
+
+    def is_apart(self, factors: Sequence[Piece]) -> bool:
+        """Whether a space stands before the last of two factors, and this is not the time."""
+        (_, _, end, _), (last, start, *_) = factors[0], factors[-1]
+        spaced = _SPACE.search(self.tex[end:start]) is not None
+        return spaced and last.names().isdisjoint(self.vocabulary.times)
 
     def read_accent(self) -> Piece:
         """Dots and bars; those on a single letter keep its index: dot{x}_1."""

@@ -9,6 +9,7 @@ from functools import partial
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
+    Derivative,
     Formula,
     Modulus,
     Name,
@@ -162,7 +163,10 @@ def _definitions(setting: Meaning, names: Iterable[str]) -> Iterator[Formula]:
 
 
 def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
-    """The names that stand outside of functions in formulas, and in what is defined of them."""
+    """The names that stand outside of functions in formulas, and in what is defined of them.
+
+    The rate of what is defined is computed with its value.
+    """
     scene, found, waiting = setting.scene, set[str](), [*formulas]
     heads: dict[str, list[str]] = {}
     for name in scene.definitions:
@@ -170,7 +174,8 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
     while waiting:
         formula = waiting.pop()
         applied = {primitive(n.function)[0] for n in formula.nodes() if isinstance(n, Application)}
-        new = (outside(formula) | applied) - found
+        rated = {name for n in formula.nodes() if isinstance(n, Derivative) for name in n.names()}
+        new = (outside(formula) | applied | (rated & heads.keys())) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
         waiting += _definitions(

@@ -109,7 +109,8 @@ def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...
 
     The second part are the factors that the relation prints below a line, which do not vanish.
     A coefficient that is a number is preferred, and then a square with one; what else a constant is
-    multiplied by is divided by. If there is no such constant, the string is empty.
+    multiplied by is divided by. If there is no such constant, the string is empty; one of which
+    only functions are printed is none.
     """
     space = Elaborations(Texts(vocabulary((scene,))))(scene)
     at, words = space.finder, space.texts.vocabulary
@@ -119,7 +120,8 @@ def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...
         divisors = (at.ring.divisors[index] for index in difference.denominator)
         printed = tuple(to_latex(formula_in(Element(at.ring, {0: one}, {}))) for one in divisors)
         whole = Element(at.ring, difference.parts, {})
-        for name in () if more else scene.constants:
+        own = [name for name in scene.constants if name not in space.transcendental]
+        for name in () if more else own:
             slope = at.partial(whole, name)
             square = at.partial(slope, name) * at.ring.number(Fraction(1, 2))
             generator = at.ring.generator(name)

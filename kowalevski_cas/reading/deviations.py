@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from kowalevski_cas.notation import Number, Sum, substitute
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import degrees
@@ -40,9 +41,9 @@ def at_no_deviation(item: SourceStatement, last: SetOfEquations, known: Known) -
     law = _law(item, known)
     if law is None or law.base is None:
         return ()
-    elsewhere = (one for one in last if one.sentence != law.change[0].sentence)
-    if any(one.bare[:1] == row.bare[:1] for one in elsewhere for row in law.change):
-        return ()  # it is said of another place
+    elsewhere = (one for one in last if one.order > law.change[0].order)
+    if any(_is_of_other_place(one, row, law) for one in elsewhere for row in law.change):
+        return ()
     others = {*law.variables} - {*law.new}
     own = tuple(one for one in last if {*one.bare} & others)
     if {name for one in own for name in one.bare} & others != others:
@@ -63,6 +64,15 @@ def at_no_deviation(item: SourceStatement, last: SetOfEquations, known: Known) -
     return (*own, *about)
 
 
+def _is_of_other_place(one: SourceStatement, row: SourceStatement, law: Law) -> bool:
+    """Whether a statement gives something else than that from which a change deviates."""
+    if one.bare[:1] != row.bare[:1]:
+        return False
+    still = substitute(row.members[1], {name: Number(0) for name in law.new})
+    terms = [term for term in still.terms if term != Number(0)] if isinstance(still, Sum) else []
+    return len(terms) != 1 or terms[0] not in one.members
+
+
 def _law(item: SourceStatement, known: Known) -> Law | None:
     """The law of the deviations in which a statement gives a rate, linear in them."""
     words = known.paper.prose.between(item.section.start, item.sentence[1])
@@ -73,7 +83,7 @@ def _law(item: SourceStatement, known: Known) -> Law | None:
     for law in known.laws:
         mine = {*item.rates} <= {*law.variables} and (item.names | {*item.rates}) & {*law.new}
         if mine and law.change and all(_deviates(one, law, known) for one in law.change):
-            linear = all(degrees(member, known) <= {1} for member in item.members)
+            linear = all(degrees(member, known) <= {0, 1} for member in item.members)
             return law if linear else None
     return None
 

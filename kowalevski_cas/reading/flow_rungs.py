@@ -21,11 +21,13 @@ from kowalevski_cas.paper.claims import (
     TraceOrDeterminant,
 )
 from kowalevski_cas.reading.kinematics import is_free
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
     DETERMINANT,
     KIND,
     MATRIX,
     TRACE,
+    equations_of,
     matrix_point,
     point_of,
     point_of_number,
@@ -42,7 +44,9 @@ from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
     equation_of_root,
+    is_of_equation,
     letters_for,
+    linear_before,
     may_be_of_frequencies,
     places_of,
     prints_square,
@@ -93,16 +97,23 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         says = "this is an eigenvalue of the linear part at this point"
     point = place(equation or item, known)
     law = law_of_points(item, known) or next(law for law in known.laws if not law.images)
+    rows = () if point else linear_before(item, known)
+    if rows:
+        law = Law(rows, known.names)
+        point = equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
     kinds = [(kind, says)]
     if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):
         kinds.append((FrequencyEquation, "this is the equation of the frequencies near this point"))
     letters = letters_for(item, known)
     for (own, words), assumptions in product(kinds, at.ways()):
         rung = at.rung(
-            own, words, assumptions, (), (item, *law.rows, *point),
+            own, words, assumptions, (), (item, *law.rows, *point), law if rows else None,
             printed=item.printed, relations=places(point), **about,
         )  # fmt: skip
-        yield replace(rung, constants=tuple(one for one in rung.constants if one not in letters))
+        yield replace(
+            rung, constants=tuple(one for one in rung.constants if one not in letters),
+            is_stronger=bool(rows) and is_of_equation(item, known),
+        )  # fmt: skip
 
 
 def _of_rest(at: RungMaker) -> Iterator[Rung]:

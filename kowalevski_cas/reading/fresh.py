@@ -138,15 +138,22 @@ def is_given_behind(name: str, item: SourceStatement, known: Known) -> bool:
 def is_place_of(name: str, item: SourceStatement, known: Known) -> bool:
     r"""Whether a new letter is where a variable of the law is, and no name for the variable.
 
-    Then constants give it behind, as in “at rest :math:`x=a`, where :math:`a=mg/k`”, or it gives
-    the variable with something else, as in :math:`x=a+\xi`.
+    Then constants give it behind, as in “at rest :math:`x=a`, where :math:`a=mg/k`”, or a function
+    of it in the same sentence, as :math:`\cos a`; or it gives the variable with something else, as
+    in :math:`x=a+\xi`.
     """
     match item.members:
         case (Name(variable), Name(other)) if other == name and known.moves(variable):
             behind = [one for one in known.items if one.order > item.order]
             giving = [one for one in behind if one.bare and one.members[0] == Name(one.bare[0])]
             given = [one for one in giving if one.bare[0] == name and len(one.members) == 2]
-            by_constants = bool(given) and not known.varying(given[0].names - {name})
+            given = given[:1] + [
+                one
+                for one in behind
+                if one.sentence == item.sentence and one.members
+                and not isinstance(one.members[0], Name) and one.members[0].names() == {name}
+            ]  # fmt: skip
+            by_constants = any(not known.varying(one.names - {name}) for one in given)
             return by_constants or any(
                 one.bare[0] == variable and name in one.names and one.members[1] != Name(name)
                 for one in giving

@@ -98,9 +98,13 @@ class Known:
 
     @cached_property
     def times(self) -> frozenset[str]:
-        """The names of times: of x and s only where something is derived by them."""
+        """The names of times: of x and s only where something is derived by them.
+
+        So it is, by primes, where differentials give another time.
+        """
         marks = frozenset().union(*(item.marks for item in self.items))
-        return (frozenset({"t", r"\tau"}) | marks) & self.paper.words.times
+        given = {one.other_time for one in self.items if "d" in one.names}
+        return (frozenset({"t", r"\tau"}) | marks | given) & self.paper.words.times
 
     @cached_property
     def later(self) -> dict[str, list[SourceStatement]]:
@@ -292,10 +296,19 @@ class Known:
         clauses = self._clauses(one.sentence)
         if one in clauses.conditions and one.sentence == item.sentence and item in clauses.of:
             return one in clauses.of[item] and self.reaches(one, item)
+        if one.sentence == item.sentence and self._introduces(one):
+            return True
         if one.sentence != item.sentence and self._is_told_apart(one):
             return False
         before = one.order < item.order and one not in clauses.behind
         return before and self.reaches(one, item) and not self._is_lifted(one, item)
+
+    def _introduces(self, one: SourceStatement) -> bool:
+        """Whether a display says what a letter is that its sentence prints first: “at a with …”."""
+        if one.typed.inline or not _WITH.fullmatch(one.lead):
+            return False
+        before = (other for other in self.items if other.sentence[1] <= one.sentence[0])
+        return not {*self.roles[one].names} <= {name for other in before for name in other.names}
 
     def _is_told_apart(self, one: SourceStatement) -> bool:
         return is_told_apart(one, self.of_sentence(one.sentence))
@@ -424,6 +437,10 @@ class Known:
 
 
 _STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
+_WITH = re.compile(
+    r"[\s,;~]*(?:with|where|for\s+which|such\s+that|где|для\s+котор\w+)[\s:~]*", re.IGNORECASE
+)
+"""Words behind which a display says what a letter before it is."""
 
 
 def _sequence(name: str) -> tuple[str, str] | None:

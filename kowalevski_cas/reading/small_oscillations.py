@@ -13,7 +13,7 @@ from kowalevski_cas.notation import Name, Number, Power
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.degrees import is_linear
+from kowalevski_cas.reading.degrees import degrees, is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -45,7 +45,10 @@ _PLACE = (
     r"(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
     r"(?:[\s~]+(?:about|around|near|at|in|вблизи|около|возле|в|у)\b[^.;]*)?"
 )
-_IS = r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?[\s:,~]*$"
+_IS = (
+    r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?"
+    r"(?:[\s,~]*(?:then|therefore|thus|hence|поэтому|тогда)\b)?[\s:,~]*(?:§[\s,~]*(?:where|with|где)[\s~]*)?$"
+)
 _OF_SMALL = re.compile(
     rf"\b{_FREQUENCY}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
     rf"|\bnormal\s+{_FREQUENCY.replace('squares', 'squares_normal')}[\s~]*{_IS}"
@@ -54,6 +57,11 @@ _OF_SMALL = re.compile(
     re.IGNORECASE,
 )
 """How words end behind which frequencies of small oscillations are printed."""
+_OF_EQUATION = re.compile(
+    rf"\b{_FREQUENCY}(?:[\s~]+of\s+(?:(?:the|these|this|such|its)\s+)?(?:oscillations?|vibrations?))?[\s~]*{_IS}",
+    re.IGNORECASE,
+)
+"""How words end behind which frequencies are printed, perhaps of the equation before them."""
 _EQUATION = re.compile(
     r"\b(?:characteristic|secular|frequency)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
     r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$"
@@ -99,7 +107,7 @@ def small_oscillation(item: SourceStatement, known: Known) -> StatementRole | No
             return None
         return StatementRole(CLAIM, "a root of the characteristic equation before it", KIND)
     found = frequency(item, known) or characteristic(item, known)
-    if found and places_of(item, known):
+    if found and (places_of(item, known) or linear_before(item, known)):
         kind, name, said = found
         why = f"{said} of the linear part, by the words before it"
         return StatementRole(CLAIM, why, kind, (name,) if kind == FREQUENCY and name else ())
@@ -116,10 +124,10 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
         return None
     equation = equation_of_root(item, known)
     is_root = equation is not None and may_be_of_frequencies(equation, known)
-    if not _frequencies_before(item) and not is_root:
+    if not (_frequencies_before(item) or is_root or is_of_equation(item, known)):
         return None
     match item.members[:1]:
-        case ():
+        case () if not isinstance(item.formula, Name) or known.is_known(item.formula.name):
             return FREQUENCY, "", "a frequency"
         case (Name(name),) if is_root or not known.is_known(name):
             return FREQUENCY, "" if is_root else name, "a frequency"
@@ -163,12 +171,38 @@ def _frequencies_before(item: SourceStatement) -> re.Match[str] | None:
     return _OF_SMALL.search(before_list(item.before))
 
 
+def is_of_equation(item: SourceStatement, known: Known) -> bool:
+    """Whether words only call it a frequency, behind linear equations of which it may be one."""
+    said = not _frequencies_before(item) and _OF_EQUATION.search(before_list(item.before))
+    return bool(said) and bool(linear_before(item, known))
+
+
+def linear_before(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The last equations with rates before a statement in its paragraph, if they are linear.
+
+    They say how all moves that stands in them, and it moves by a law.
+    """
+    before = [
+        one
+        for one in known.items
+        if one.paragraph == item.paragraph and one.order < item.order and one.rates
+    ]
+    rows = tuple(one for one in before if one.typed is before[-1].typed)
+    moving = {name for one in rows for name in one.rates}
+    closed = all(
+        one.members
+        and {*known.varying(one.names)} <= moving
+        and all(degrees(member, known) <= {1} for member in one.members)
+        for one in rows
+    )
+    return rows if closed and len(rows) == len(moving) and all(map(known.moves, moving)) else ()
+
+
 def prints_square(item: SourceStatement) -> bool:
     """Whether it is the square of a frequency that a statement prints."""
-    found = _frequencies_before(item)
-    squares = found is not None and bool(
-        found["squares"] or found["squares_behind"] or found["squares_normal"]
-    )
+    said = before_list(item.before)
+    found = _OF_SMALL.search(said) or _OF_EQUATION.search(said)
+    squares = found is not None and any(found.groupdict().values())
     return isinstance(item.members[0], Power) if item.members else squares
 
 

@@ -7,6 +7,7 @@ import re
 from kowalevski_cas.notation import Name, Number, Power, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
+from kowalevski_cas.reading.fresh import is_place_of
 from kowalevski_cas.reading.hypotheses import set_right_before
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
@@ -188,7 +189,7 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     if not item.members or item.derives:
         return None
     moving = [name for name in item.bare if known.moves(name)]
-    said = supposing(item)
+    said = supposing(item) or _where_it_is(item, known)
     if moving and said and item.typed.inline and all(map(known.moves, item.names)):
         words = f"“{said}” supposes it of what moves"  # as x=-y, between variables alone
         return StatementRole(ASSUMPTION, words, reach(item), tuple(moving))
@@ -218,6 +219,14 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         gives = tuple(names) or tuple(sorted(item.names))
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), gives)
     return None
+
+
+def _where_it_is(item: SourceStatement, known: Known) -> str:
+    """The words that give a place of which the sentence names the coordinate just before."""
+    said, given = cue("where", item.lead), item.members[0].names()
+    before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
+    named = any(is_place_of(name, one, known) for name in given for one in before)
+    return said if len(given) == 1 and named else ""
 
 
 _AT_PLACE = re.compile(r"[\s~]*(?:at|when|where|for|при|в)[\s~]*", re.IGNORECASE)

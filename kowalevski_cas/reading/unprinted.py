@@ -145,7 +145,10 @@ def is_of_velocities(item: SourceStatement, paper: SourcePaper) -> bool:
     """
     rows = [one for one in paper.items if is_row(one) and not one.typed.inline]
     accelerated = {name for one in rows for name, order in one.rates.items() if order > 1}
-    if any({*one.rates.values()} == {1} for one in rows) or {*item.rates} <= accelerated:
+    defined = {name for one in paper.items if not one.derives for name in one.bare}
+    follows = defined | ({*item.rates} if accelerated & {*item.rates} else set())
+    first = (one for one in rows if {*one.rates.values()} == {1})
+    if any(not {*one.rates} <= follows for one in first) or {*item.rates} <= accelerated:
         return False
     told = tells_more(paper.prose.text) or cue("denied", item.words)
     return gives_lagrangian(item) and not told

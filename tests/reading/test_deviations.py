@@ -10,6 +10,9 @@ from tests.sample import sampled
 PREY = r"The model is \[ \dot x=x(a-by),\qquad\dot y=y(-c+dx) .\] "
 WELL = r"The system is \[ \dot u=v,\qquad\dot v=u-u^3-kv .\] "
 ROD = r"The equation of motion is \[ \ddot s=s-s^3 .\] "
+HOOP = r"""The equation is \[ \ddot\chi=n^2\sin\chi\cos\chi-k\sin\chi .\] It rests at the angle $\chi_0$ with
+\[ \cos\chi_0=\frac k{n^2} .\] """
+SPRING = r"The equation is \[ \ddot u=-bu+cu^3 .\] "
 TRUE = [
     (PREY + r"Near the equilibrium put $x=\frac cd+p$, $y=\frac ab+q$. In the linear approximation",
      r"\dot p=-\frac{bc}dq", r"\dot p=-\frac{bc}dp"),
@@ -27,6 +30,13 @@ TRUE = [
      r"\dot\eta=-2\xi-k\eta", r"\dot\eta=2\xi-k\eta"),
     (ROD + r"With $s=1+\eta$ we get in the first approximation", r"\ddot\eta=-2\eta", r"\ddot\eta=2\eta"),
     (ROD + r"For small $s$ we have", r"\ddot s=s", r"\ddot s=-s"),
+    (HOOP + r"Put $\chi=\chi_0+\xi$ and neglect the squares of $\xi$,",
+     r"\ddot\xi=-n^2\sin^2\chi_0\,\xi", r"\ddot\xi=-n^2\cos^2\chi_0\,\xi"),
+    (HOOP + r"Put $\chi=a+\xi$ and neglect the squares of $\xi$,",
+     r"\ddot\xi=n^2\sin a\cos a-k\sin a+(n^2\cos 2a-k\cos a)\xi",
+     r"\ddot\xi=n^2\sin a\cos a-k\sin a+(n^2\cos 2a+k\cos a)\xi"),
+    (SPRING + r"There is equilibrium at $u=a$ with \[ a^2=\frac bc .\] We put $u=a+\xi$ and linearize,",
+     r"\ddot\xi=2b\xi", r"\ddot\xi=3b\xi"),
 ]  # fmt: skip
 
 
@@ -60,3 +70,12 @@ def test_what_is_linear_holds_to_the_first_order(words, true, false):
 def test_what_is_not_known_to_be_linear_there_is_not_green(text):
     found = last(text)
     assert found is None or not found.green
+
+
+@pytest.mark.parametrize("word", ["with", "where", "for which"])
+@pytest.mark.parametrize(
+    ("given", "green"), [(r"a^2=\frac bc", True), (r"ca^2=b", True), (r"a^2=2\frac bc", False)]
+)
+def test_a_place_of_rest_is_where_the_words_behind_it_say(word, given, green):
+    text = rf"{SPRING}There is an equilibrium at $u=a$ {word} \[ {given} .\]"
+    assert verdicts(text)["u=a"].green is green

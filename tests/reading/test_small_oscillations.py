@@ -15,6 +15,9 @@ WELL = r"The equations of motion are \begin{equation}\label{w} \dot q=p,\quad \d
 TWO = r"""The equations of motion are \[ 3\ddot u+\ddot v\cos(u-v)-\dot v^2\sin(u-v)+2u-v=0,\quad
 \ddot v+\ddot u\cos(u-v)+\dot u^2\sin(u-v)+v-u=0 .\] """
 COUPLED = r"The equations of motion are \[ \ddot u=-nu+n(v-u),\quad \ddot v=-nv+n(u-v) .\] "
+TILTED = r"""The equation is \[ \ddot u=m^2\sin u\cos u-k\sin u .\] It rests at the angle $\alpha$ with
+\[ \cos\alpha=\frac k{m^2} .\] Put $u=\alpha+\xi$ and neglect the squares of $\xi$,
+\[ \ddot\xi=-m^2\sin^2\alpha\,\xi .\] """
 KINDS = ("characteristic", "frequency")
 
 
@@ -46,8 +49,15 @@ TRUE = [
     r"The equation of motion is \[ \ddot u=-nu .\] The frequency of the small oscillations is \[ \nu^2=n .\]",
     COUPLED + r"The normal modes have the frequencies \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{3n} .\]",
     COUPLED + r"The normal frequencies are \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{3n} .\]",
+    TILTED + r"The frequency of small oscillations is therefore $\nu$, where \[ \nu^2=m^2-\frac{k^2}{m^2} .\]",
+    TILTED + r"Hence the frequency is \[ \nu=\sqrt{m^2-\frac{k^2}{m^2}} .\]",
+    TILTED + r"The characteristic equation is \[ \mu^2=\frac{k^2}{m^2}-m^2 .\]",
 ]  # fmt: skip
 FALSE = [
+    TILTED + r"The frequency of small oscillations is therefore $\nu$, where \[ \nu^2=m^2+\frac{k^2}{m^2} .\]",
+    TILTED + r"Hence the frequency is \[ \nu=\sqrt{m^2-k^2} .\]",
+    TILTED + r"The frequency of the driving force is \[ \nu=\sqrt{m^2-k^2} .\]",
+    TILTED.replace(r"=-m^2", "=-2m^2") + r"Hence the frequency is \[ \nu=\sqrt{2m^2-2\frac{k^2}{m^2}} .\]",
     COUPLED + r"The normal modes have the frequencies \[ \nu_1=\sqrt n,\qquad \nu_2=\sqrt{2n} .\]",
     COUPLED + r"The normal modes have the frequencies \[ \nu=3n .\]",
     COUPLED + r"The normal frequencies are \[ \nu_1=\sqrt n,\qquad \nu_2=3\sqrt n .\]",
