@@ -57,7 +57,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             part
             for one in giving
             for name in sorted(one.names)
-            if name not in seen - lengths | {"t"}
+            if name not in (seen | other) - lengths | {"t"}
             for part in law.names.scalars([name])
         )
         timed = any("t" in one.names for one in giving)  # else it is a solution

@@ -150,8 +150,8 @@ def is_place_of(name: str, item: SourceStatement, known: Known) -> bool:
             given = given[:1] + [
                 one
                 for one in behind
-                if one.sentence == item.sentence and one.members
-                and not isinstance(one.members[0], Name) and one.members[0].names() == {name}
+                if one.sentence == item.sentence and len(one.members) == 2
+                and name in one.names - {*one.bare}
             ]  # fmt: skip
             by_constants = any(not known.varying(one.names - {name}) for one in given)
             return by_constants or any(

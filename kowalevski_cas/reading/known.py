@@ -308,7 +308,7 @@ class Known:
         if one.typed.inline or not _WITH.fullmatch(one.lead):
             return False
         before = (other for other in self.items if other.sentence[1] <= one.sentence[0])
-        return not {*self.roles[one].names} <= {name for other in before for name in other.names}
+        return not one.names <= {name for other in before for name in other.names}
 
     def _is_told_apart(self, one: SourceStatement) -> bool:
         return is_told_apart(one, self.of_sentence(one.sentence))

@@ -96,6 +96,10 @@ class Reading:
         return [one for known in self.parts.known for one in misscaled(known)]
 
 
+_SLASH = re.compile(r"(?<![A-Za-z\\])d\s*\\?\w+\s*/\s*d")
+"""A derivative with a slash, in which d is no name."""
+
+
 def read(
     source: Source,
     heard: Heard = lambda *_: None,
@@ -359,10 +363,13 @@ class _DerivationReader:
         components = {part for own in vectors.values() for part in own}
         clocks = [one.other_time for known in self.parts.known for one in known.clocks]
         read = frozenset().union(*(item.names for item in self.paper.items))
-        ratios = {"d" for item in self.paper.items if item.formula and differentials(item.formula)}
+        items = [item for item in self.paper.items if item.formula is not None]
+        slashes = any(_SLASH.search(item.printed.tex) for item in items)
+        named = {"d" for item in items if "d" in item.names and not slashes}
+        named |= {"d" for item in items if item.formula and differentials(item.formula)}
         scalars = sorted(
             (words.scalars | components | read - words.functions)
-            - {"t", *({"d"} - ratios), *clocks, *vectors, *words.matrices}
+            - {"t", *({"d"} - named), *clocks, *vectors, *words.matrices}
         )
         functions: dict[str, str] = {}
         places: dict[str, Printed] = {}

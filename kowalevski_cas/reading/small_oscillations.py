@@ -70,6 +70,11 @@ _EQUATION = re.compile(
     re.IGNORECASE,
 )
 """How words end behind which a characteristic equation is printed."""
+_READS = re.compile(
+    r"\s*(?:is|reads?|becomes|(?:has|takes)\s+the\s+form|λ|§|[-—–]+|имеет\s+вид)?[\s:~]*",
+    re.IGNORECASE,
+)
+"""Words between a characteristic equation and its name: its roots are something else."""
 _SECULAR = re.compile(
     r"\b(?:secular|frequenc\w+|веков\w+|частот\w*)\b|\b(?:imaginary|мним\w+)\b", re.IGNORECASE
 )
@@ -209,12 +214,12 @@ def prints_square(item: SourceStatement) -> bool:
 def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
     """The variable of a characteristic equation, if a statement prints one, and no root of it."""
     variable = variable_of(item, known)
+    said = _EQUATION.search(item.before)
     is_root = Name(variable) in (item.formula, *item.members)
     if Power(Name(variable), Number(2)) in item.members and Number(0) not in item.members:
-        is_root = True
+        is_root = said is None or not any(map(_READS.fullmatch, filter(None, said.groups())))
     if not variable or len(item.members) not in (0, 2) or is_root:
         return None
-    said = _EQUATION.search(item.before)
     if said and not _OF_MATRIX.search("".join(filter(None, said.groups()))):
         return CHARACTERISTIC, variable, "the characteristic equation"
     if item.members and exponential(variable, item, known):

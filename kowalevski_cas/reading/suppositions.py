@@ -223,10 +223,9 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def _where_it_is(item: SourceStatement, known: Known) -> str:
     """The words that give a place of which the sentence names the coordinate just before."""
-    said, given = cue("where", item.lead), item.members[0].names()
     before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
-    named = any(is_place_of(name, one, known) for name in given for one in before)
-    return said if len(given) == 1 and named else ""
+    named = any(is_place_of(name, one, known) for name in item.names for one in before)
+    return cue("where", item.lead) if named else ""
 
 
 _AT_PLACE = re.compile(r"[\s~]*(?:at|when|where|for|при|в)[\s~]*", re.IGNORECASE)
