@@ -301,7 +301,24 @@ def identity(item: SourceStatement, known: Known) -> StatementRole | None:
     if isinstance(given, Name) and _is_given_here_alone(given.name, item, known):
         why = f"the only equation that gives {plain(given.name)}"
         return StatementRole(DEFINITION, why, "square" if squared else "", (given.name,))
+    if (name := _unknown_of(item, known)) is not None:
+        return StatementRole(CLAIM, f"an equation for {plain(name)}", "somewhere")
     return StatementRole(CLAIM, "an equation between what is known", "identity")
+
+
+def _unknown_of(item: SourceStatement, known: Known) -> str | None:
+    """The letter for which an equation of constants with a zero is one, as that of exponents.
+
+    No law has it, and nothing has said what it is: of all its values nothing is claimed.
+    """
+    if ZERO not in item.members or item.derives or known.varying(item.names):
+        return None
+    said = {name for one in known.supposed(item) for name in one.names}
+    said |= {
+        name for one in known.items if one.order < item.order and one.members for name in one.names
+    }
+    new = [n for n in known.untied(sorted(item.names - said)) if not known.is_defined(n)]
+    return new[0] if len(new) == 1 else None
 
 
 def _is_given_here_alone(name: str, item: SourceStatement, known: Known) -> bool:

@@ -51,7 +51,7 @@ def _given(formula: TypedFormula, words: Vocabulary) -> Iterator[tuple[str, int]
             left = OpenParser(formula.tex, [*tokens[:cut]], words).statement()[0]
             right = OpenParser(formula.tex, [*tokens[cut + 1 :]], words).statement()[0]
             first = right.members[0] if isinstance(right, Relation) else right
-            if isinstance(left, Name) and words.ranks.get(left.name) == SCALAR:
+            if isinstance(left, Name) and words.ranks.get(left.name, SCALAR) == SCALAR:
                 if own := rank(first, words):
                     yield left.name, own
 

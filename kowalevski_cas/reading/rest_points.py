@@ -43,6 +43,13 @@ _BEHIND = re.compile(
     re.IGNORECASE,
 )
 """What says of the points before it that nothing moves there."""
+_ALSO = re.compile(
+    r"\bthere\s+(?:is|are|exists?)\b(?:\s+(?:also|then|besides|moreover)\b)?[\s~]*(?:(?:an?|one|two|three|four|other|others|another"
+    r"|further|more|ones?|points?)\b[\s~]*)*[\s:,~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which there is more of that of which the sentence before speaks."""
+_SPOKEN = re.compile(rf"\b(?:{_REST}|{_RUSSIAN})", re.IGNORECASE)
 _NO = re.compile(r"\b(?:no|not|never|neither|нет|не)\s+(?:\w+\s+){0,2}$", re.IGNORECASE)
 _ORDERS = (
     ("x", "y", "z"), ("u", "v", "w"), (r"\alpha", r"\beta", r"\gamma"), (r"\xi", r"\eta", r"\zeta"),
@@ -87,6 +94,8 @@ def _says_rest(item: SourceStatement) -> bool:
     before = _LIST_BEFORE.sub("", item.before)
     if said := _BEFORE.search(before):
         return not _NO.search(before, 0, said.start())
+    if _ALSO.search(before) and item.earlier and _SPOKEN.search(item.earlier[0]):
+        return not cue("denied", item.earlier[0])
     list_behind = _LIST_BEHIND.match(item.after)
     return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
 

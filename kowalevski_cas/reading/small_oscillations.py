@@ -71,7 +71,7 @@ _EQUATION = re.compile(
 )
 """How words end behind which a characteristic equation is printed."""
 _READS = re.compile(
-    r"\s*(?:is|reads?|becomes|(?:has|takes)\s+the\s+form|λ|§|[-—–]+|имеет\s+вид)?[\s:~]*",
+    r"\s*(?:is|reads?|becomes|(?:has|takes)\s+the\s+form|§|[-—–]+|имеет\s+вид)?[\s:~]*",
     re.IGNORECASE,
 )
 """Words between a characteristic equation and its name: its roots are something else."""

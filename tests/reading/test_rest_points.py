@@ -102,6 +102,10 @@ SYSTEM = r"The system is \[ \dot x=y,\qquad\dot y=x-x^3 .\] "
         r"The states $x=\pm VALUE$, $y=0$ are stationary.",
         r"The points \[ x=\pm VALUE,\qquad y=0 \] are fixed points.",
         r"Точки $x=\pm VALUE$, $y=0$ неподвижны.",
+        r"The equilibria are \[ C_\pm=(\pm VALUE,0) . \]",
+        r"The equilibria are $C_{1,2}=(\pm VALUE,0)$.",
+        r"The origin is an equilibrium. There are also $C_\pm=(\pm VALUE,0)$.",
+        r"The origin is an equilibrium. If we look further there are two others \[ C_{\pm}=(\pm VALUE,0) . \]",
     ],
 )
 def test_upper_signs_go_together_and_lower_ones(words):
@@ -191,3 +195,16 @@ def test_that_there_are_no_others_is_listed_as_not_judged(words, listed):
 def test_equations_from_which_equilibria_are_found_leave_none_out(words, equations, greens):
     text = rf"Consider \[\dot x=y,\qquad\dot y=x-x^3.\] {words}{equations}."
     assert {one.green for one in verdicts(text).values()} == greens
+
+
+STATE = r"""The model is \[ \dot S=kN-bSI-kS,\qquad \dot I=bSI-(c+k)I . \] The endemic state is
+\[ S_*=\frac{c+k}b,\qquad I_*=\frac{kN}{c+k}-\frac kb . \] """
+
+
+@pytest.mark.parametrize(
+    "words", ["Small deviations $s=S-S_*$ from it obey", "Near it $s=S-S_*$ obeys"]
+)
+def test_what_small_deviations_obey_is_not_false_because_it_is_approximate(words):
+    text = rf"{STATE}{words} \[ \ddot s+(k+bI_*)\dot s+b^2S_*I_*s=0 . \]"
+    found = [verdict for tex, verdict in listed(text) if "ddot" in tex]
+    assert Verdict.REFUTED not in found

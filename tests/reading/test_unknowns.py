@@ -43,3 +43,17 @@ def test_what_follows_for_unknowns(words, true, false):
 )
 def test_definitions_what_moves_and_what_nothing_gives_later_are_no_unknowns(text):
     assert not [one for one in reading(text).formulas if "nothing gives before" in one.role.reason]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The exponents satisfy \[ \lambda^2+k\lambda+1=0 . \]",
+        r"For $\lambda$ we get the equation $\lambda^3-2k=0$.",
+        r"The multipliers of the map are found from \[ \lambda^2-2k\lambda+1=0 . \]",
+    ],
+)
+def test_an_equation_for_a_letter_is_no_statement_on_all_its_values(words):
+    found = reading(r"The motion is $\ddot x=-k^2x$. " + words)
+    (one,) = [f for f in found.formulas if "lambda^" in f.item.printed.tex]
+    assert one.claim is None and "equation" in one.role.reason
