@@ -152,6 +152,7 @@ def is_place_of(name: str, item: SourceStatement, known: Known) -> bool:
                 for one in behind
                 if one.sentence == item.sentence and len(one.members) == 2
                 and name in one.names - {*one.bare}
+                and not (isinstance(one.members[0], Name) and not known.is_known(one.bare[0]))
             ]  # fmt: skip
             by_constants = any(not known.varying(one.names - {name}) for one in given)
             return by_constants or any(

@@ -79,7 +79,7 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
     Nothing else that moves stands beside the time.
     """
     moved = known.varies(name) and not known.moves(name)
-    moved = moved and not known.varying(item.names - {*item.bare})
+    moved = moved and not known.varying(item.names - {*item.bare} - known.levels)
     return moved and "t" not in known.below(name) and rated_before(name, item, known)
 
 

@@ -75,3 +75,10 @@ def test_a_level_stands_among_functions(words, right):
     claim = rf"\dot x^2+\dot y^2={right}"
     verdict = verdicts(RESTRICTED + words + rf" \[ {claim}. \]")[claim]
     assert verdict.green is (right == "2W-C")
+
+
+def test_a_value_in_what_gives_something_else_behind_it_is_named():
+    text = r"""The equations of motion are \[ A\dot p=(A-C)qr-kq,\qquad A\dot q=(C-A)rp+kp,\qquad C\dot r=0 . \]
+    Then $\dot r=0$, that is $r=r_0$, and the first two equations take the form
+    \[ \dot p=-nq,\qquad \dot q=np,\qquad n=\frac{(C-A)r_0+k}{A} . \]"""
+    assert all(verdicts(text)[row].green for row in (r"\dot p=-nq", r"\dot q=np"))
