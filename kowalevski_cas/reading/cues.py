@@ -179,6 +179,14 @@ CUES: dict[str, str] = {
         (?:§|уг(?:ол|лы)|отклонени[ея]|амплитуд[уы])\s+(?:\w+\s+)?мал(?:ым|ыми|ой|ы)\b
         линейн\w+\s+член\w*
         petites\s+oscillations kleine\w*\s+(?:Schwingung|Ausschl|Winkel)\w*
+        \bup\s+to\s+(?:terms|quantities|errors?|corrections)\s+of
+        \bwith\s+an?\s+error\s+of \broughly\b
+        \b(?:almost|nearly)\b(?!\s+(?:all|every|any|surely|periodic\w*|integrable))
+        \bto\s+(?:an?\s+)?(?:good|high|great|fair|sufficient)\s+(?:accuracy|precision|approximation)
+        \bonly\s+(?:the\s+)?(?:leading|lowest|principal|main)\s+terms \bпрактически\b
+        \bпочти\b(?!\s+(?:вс|кажд|периодич))
+        \bс\s+точностью\s+до\b(?!\s+(?:множител|постоянн|знака))
+        \bn\S{1,3}herungsweise\b \bapproximativement\b \bpresque\b(?!\s+(?:tou|chaque))
         first\s+variation asymptotic(?:ally\s+equal|\s+(?:expansion|formula|series|equation))
         infinitesimal\w* перв\w+\s+приближени\w+ приближ[её]нн\w+
         линеариз\w+ пренебрег\w+\s+(?:\w+\s+){0,3}(?:член|слагаем|степен|квадрат|величин)\w+
@@ -199,7 +207,8 @@ CUES: dict[str, str] = {
         мал\w+\s+(?:уг(?:ол|л)|колебани|отклонени)\w*""",
     "denied": r"""
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
-        does\s+not\s+(?:hold|vanish|follow|satisfy) (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
+        do(?:es)?\s+not\s+(?:hold|vanish|follow|satisfy|have|obtain|get|find)
+        (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
         §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
         never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
@@ -214,6 +223,7 @@ CUES: dict[str, str] = {
         \bисключ(?:им|аем|ая)\s+(?:случай\s+)?(?:§|$)
         \b(?:not|never|without)\s+(?:suppos|assum|requir|impos|demand)\w*\s+(?:that\s+)?(?:§|$)
         \bне\s+(?:предполага|требу|допуска)\w*,?\s+(?:что\s+)?(?:§|$)
+        §[\s,]*(?:is|are|was|were)\s+(?:\w+\s+)?(?:excluded|ruled\s+out|rejected|discarded|left\s+(?:out|aside))
         in\s+place\s+of\s*(?:§|$) \bneither\b ^\s*nor\s*§ ^\s*ни\s*§
         \bневер\w+ \bошиб\w+ \bложн\w+ опечат\w+
         вместо\s*(?:§|$) противореч\w+ не\s+явля\w+ не\s+(?:сохраня|постоян)\w+ нельзя
@@ -227,6 +237,7 @@ CUES: dict[str, str] = {
     "quoted": r"""
         \b(?:was|were|been)\s+(?:written|stated|said)\s+that
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
+        \b(?:authors|textbooks|people|papers)\s+(?:\w+\s+)?(?:write|state|say|print|give|use)\b
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
         (?:one|we)\s+(?:might|may|could)\s+(?:think|expect|hope|guess|suspect|believe) tempting
@@ -252,6 +263,7 @@ CUES: dict[str, str] = {
         \bgenerali[sz]ed\s+forces? \bfollower\s+(?:forces?|loads?|thrusts?) \bcirculatory\b
         (?:additional|further|extra|added|driving)\s+(?:forces?|torques?)
         (?:besides|in\s+addition|moreover|also)[^.]*?\b(?:force|torque)s?\b[^.]*?\bacts?\b
+        \bReibung\w* \bD(?:ä|\\"a)mpfung\w* \bfrottements?\b \bamortissement\b
         \bтрени(?:е|я|ю|ем|и)\b сопротивлени\w+ диссипати\w+ демпф\w+ вязк\w+ непотенциальн\w+
         неконсервативн\w+ обобщ[её]нн\w+\s+сил\w+""",
     "no force": r"""

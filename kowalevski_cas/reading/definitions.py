@@ -206,15 +206,17 @@ def _specialising(item: SourceStatement, known: Known, fresh: list[str]) -> str:
     of_laws = {name for law in known.laws for name in (*law.mentions, *law.names.vectors)}
     before = [known.seen.get(name) for name in names]
     apart = all(one is not None and one.section not in item.sections for one in before)
+    apart = apart or known.paper.prose.footnote(item.typed.start) is not None
     others = [without_factor(one) for one in item.members if one not in (*map(Name, names),)]
-    equal = not any(before) and item.names <= of_laws and all(isinstance(o, Name) for o in others)
+    alike = item.names <= of_laws and all(isinstance(o, Name) for o in others)
+    equal = alike and not any(before)
     example = _EXAMPLE.search(item.before)
     if not {*names} <= of_laws or known.varying(item.names - {*names}):
         return ""
     if example is not None and item.names <= of_laws:
         return example[0]
     said = supposing(item) or cue("lasting", item.before) if apart or equal else ""
-    return said or (cue("in this part", item.before) if equal else "")
+    return said or (cue("in this part", item.before) if equal or (alike and apart) else "")
 
 
 def _level(

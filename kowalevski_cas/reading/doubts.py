@@ -44,22 +44,32 @@ _NUMBERED = re.compile(r"_\{?\d")
 
 _SMALL = re.compile(r"\\(?:to|rightarrow|ll|approx|simeq)(?![A-Za-z])")
 """The signs of limits, and of approximations."""
+_MEANS = (
+    r"(?!§|\(|\\|\d|(?:this|that|th[eo]se|all|any|every|each|both|our|its|their|which|what|it|them|arbitrary|general"
+    r"|particular|fact|view|virtue|accordance|agreement|analogy|addition|turn|short|order|terms|other\s+words|effect"
+    r"|example|instance|brevity|convenience|simplicity|definiteness|account|substitut\w+|differentiat\w+|inserting|using"
+    r"|an?\s+(?:similar|word|way|frame|donc|alors|ainsi)|obtient|trouve|voit|(?:the\s+)?(?:\w+\s+)?(?:notations?|variables?|coordinates?|forms?|components?|paper"
+    r"|sections?|theorem|lemma|proof|equations?|sequel|functions?|derivatives?|rates?|integrals?|quantit(?:y|ies)|sake"
+    r"|expressions?|energy|hand|other|sides?|flow|left|right|same|following|usual|first|second|third)"
+    r"|силу|результате|частности|итоге|помощи|виде|этом\s+виде|люб\w+|все\w*|кажд\w+)\b)"
+)
+"""What stands here behind a preposition is no circumstance, but a means, or all that there is."""
 _CIRCUMSTANCE = re.compile(
-    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now|отсюда|следовательно"
+    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now|also|even|отсюда|следовательно"
     r"|поэтому|значит|итак)\W+)*"
-    r"(?:(?:at|under|during|near|without|inside|outside|while|as\s+long\s+as|once|until)\s+"
-    r"(?!least|last|first|once|this|these|any|all|every|each|the\s+same|which|the\s+flow)"
-    r"|(?:if|when|если|когда)\s+[^§,.;]+,"
-    r"|(?:in|on|for)\s+(?:the\s+(?:absence|limit|state|position|presence|case|regime)|equilibrium|weightlessness"
-    r"|vacuum|rest|resonance|an?\s+(?!similar|word|way|frame)|the\s+(?:separatri\w+|axis|axes|plane|line|surface"
-    r"|circle|boundary|orbit|homoclinic|heteroclinic|invariant|ball|top|body|symmetric|special))\b"
-    r"|(?:в|на|при|для)\s+(?!силу|результате|частности|итоге|помощи|виде|этом\s+виде|люб|все|кажд)\w+)[^§.]*(?:§[^§.]*)*$",
+    r"(?:(?:at|under|during|near|without|inside|outside|while|as\s+long\s+as|once|until|before|after|between)\s+"
+    r"(?!least|last|first\s+(?:sight|glance)|once|this|these|any|all|every|each|the\s+same|which|the\s+flow)"
+    r"|(?:if|when|whenever|если|когда|wenn|falls|si|lorsque|quand)\s+(?!we\b|one\b)[^,.;]+,"
+    r"|(?:neglect|ignor|disregard|omitt|пренебрег)\w+|(?:initially|momentarily|sometimes|вначале|иногда|anfangs)\b"
+    rf"|(?:in|on|for)\s+{_MEANS}|(?:в|на|при|для)\s+{_MEANS}(?=\w)"
+    r"|(?:im|bei|beim|am|ohne|sans|dans|aux?|à)\s+(?!d(?:ie|en|em)\s+Gleichung|allgemeinen)|à\s*l['’])[^§.]*(?:§[^§.]*)*$",
     re.IGNORECASE,
 )
 """How the words before an equation begin that say when, or where, it is so."""
 _AT_THAT = re.compile(
     r"[\s,~]*(?:there\b(?!\s+(?:is|are|exist))|at\s+(?:this|that|these|those)\s+(?:moment|instant|time|point|place|position)s?"
     r"|in\s+(?:this|that)\s+(?:position|state|motion|case)|(?:if|when|whenever|provided|near|on)\b|twice\b|once\b"
+    r"|(?:means?|implies|requires?|is\s+(?:equivalent|possible|satisfied))\b"
     r"|в\s+(?:этот\s+момент|этой\s+точке|этом\s+положении)|(?:если|когда)\b)",
     re.IGNORECASE,
 )

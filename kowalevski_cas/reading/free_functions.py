@@ -180,22 +180,38 @@ def _moved(texts: Iterable[str]) -> Iterator[str]:
 def _on(group: str) -> str:
     """What something may be a function of: the time, or a letter, which is a group."""
     letter = rf"(?:\w+\s+){{0,2}}\$\s*(?P<{group}>{NAME})\s*\$"
-    return rf"(?:(?:the\s+)?(?:time\b|времен\w+|der\s+Zeit|temps\b)|{letter})"
+    return rf"(?:(?:(?:the|le)\s+)?(?:time\b|времен\w+|der\s+Zeit|temps\b)|{letter})"
 
 
 _VARIES = re.compile(
-    r"\$?[\s~]*(?:(?:that|which|now|itself)\s+)*(?:(?:may|can|is\s+allowed\s+to)\s+)?(?:slowly\s+|медленно\s+)?(?:"
-    r"(?:vary|varies|changes?|depends?|depending|varying|hängt|d\\'epend)(?:\s+\w+ly)?"
-    rf"\s+(?:with|in|on|upon|von|du)\s+{_on('by0')}"
-    rf"|(?:is|be|being)\s+an?\s+(?:\w+\s+){{0,3}}?function\s+of\s+{_on('by1')}"
+    r"\$?[\s~]*(?:(?:that|which|now|itself|to)\s+)*(?:(?:may|can|is\s+allowed\s+to)\s+)?(?:slowly\s+|медленно\s+)?(?:"
+    r"(?:vary|varies|changes?|depends?|depending|varying|hängt|d(?:\\'e|é)pend|varie)(?:\s+\w+ly)?"
+    rf"\s+(?:with|in|on|upon|von|du|avec|de)\s+{_on('by0')}"
+    rf"|,?\s*(?:(?:is|be|being|ist|est)\s+)?(?:an?|eine|une)\s+(?:\w+\s+){{0,3}}?f[ou]n[ck]tion\s+(?:of|du)?\s*{_on('by1')}"
     rf"|(?:за\w+|меняется)\s+(?:от|со?)\s+{_on('by2')}"
     rf"|(?:[-—–]+|есть|является)\s*(?:\w+\s+){{0,2}}?функци\w+\s+{_on('by3')})",
     re.IGNORECASE,
 )
 """How words begin behind a letter that say on what it depends."""
+_IS_VARIABLE = re.compile(
+    r"\$?[\s~]*(?:(?:that|which|now|itself|to)\s+)*(?:(?:may|can|will|must)\s+)?(?:\w+ly\s+)?(?:"
+    r"(?:is|are|be|being|remains)\s+(?:not\s+(?:an?\s+)?constant|(?!not\b|no\b|the\b)(?:\w+\s+){0,2}?(?:variable|time-dependent|modulated"
+    r"|non-?constant|varying|unsteady|periodic\s+function(?!\s+of)))|need\s+not\s+be\s+(?:an?\s+)?constant"
+    r"|(?:changes?|var(?:y|ies)|(?:in|de)creases?|grows?|decays?|oscillates?|evolves?|fluctuates?|drifts?)\b"
+    r"(?!(?:\s+\w+ly)?\s+(?:from|between|over|as|on|if|when|only|sign|like|beyond|to|by|with(?!\s+(?:the\s+)?time))\b|\s*\$)"
+    r"|(?:(?:из)?меняется|раст[её]т|убывает|колеблется)\b(?!\s+(?:от|при|лишь|с(?!о\s+времен)))|(?:[-—–]+\s*)?(?:переменн[аоы]|не\s+постоян|непостоян)\w*"
+    r"|ist\s+(?:nicht\s+konstant|ver\S{1,3}nderlich|zeitabh)|est\s+variable)",
+    re.IGNORECASE,
+)
+"""How words begin behind a letter that is no constant."""
+_AS_IF = re.compile(
+    r"\b(?:if|when|whenever|as|while|for|given|fixed|если|когда|при|wenn|si|lorsque)\s+(?:(?:the|an?)\s+)?(?:\w+\s+){0,2}\$?$",
+    re.IGNORECASE,
+)
+"""How words end before a letter of which other values are thought of."""
 _VARIABLE = re.compile(
     r"\b(?:variable|(?:slowly\s+)?varying|time-dependent|переменн\w+)\s+"
-    r"(?:mass|length|frequency|stiffness|moment|coefficient|field|radius|масс\w+|длин\w+|частот\w+|жесткост\w+)\s*\$?$",
+    r"(?:mass|length|frequency|stiffness|moment|coefficient|field|radius|масс\w+|длин\w+|частот\w+|жесткост\w+)\s*(?:is\s+)?\$?$",
     re.IGNORECASE,
 )
 """How words end before a letter that is no constant."""
@@ -216,7 +232,7 @@ def _told_in_words(formulas: Sequence[TypedFormula], text: str) -> dict[str, str
             if said := _VARIES.match(text, formula.end):
                 by = next((said[f"by{k}"] for k in range(4) if said[f"by{k}"]), TIME)
                 found[formula.tex.strip()] = by.strip()
-            elif _VARIABLE.search(text, 0, formula.start):
+            elif _is_variable(formula, text):
                 found[formula.tex.strip()] = TIME
     moved = {*_moved(one.tex for one in formulas)}
     given = {name for one in formulas for name in _given(_apart(one.tex))}
@@ -228,6 +244,15 @@ def _told_in_words(formulas: Sequence[TypedFormula], text: str) -> dict[str, str
     }
     kept = used - moved - given - primed
     return {name: by for name, by in found.items() if name in kept and name != by}
+
+
+def _is_variable(letter: TypedFormula, text: str) -> bool:
+    """Whether words beside a letter say that it is no constant, and not on what it depends."""
+    if _VARIABLE.search(text, 0, letter.start):
+        return True
+    return _IS_VARIABLE.match(text, letter.end) is not None and not _AS_IF.search(
+        text, max(0, letter.start - 60), letter.start
+    )
 
 
 def _stands(name: str, tex: str, anywhere: bool) -> bool:

@@ -16,7 +16,13 @@ from kowalevski_cas.reading.cases import is_told_apart, named_case, proves
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.lifted import goes_on, is_lifted, may_lift, names_case
+from kowalevski_cas.reading.lifted import (
+    goes_on,
+    has_what_vanishes,
+    is_lifted,
+    may_lift,
+    names_case,
+)
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
@@ -301,6 +307,7 @@ class Known:
         if one.sentence != item.sentence and self._is_told_apart(one):
             return False
         before = one.order < item.order and one not in clauses.behind
+        before = before and not has_what_vanishes(item, one)
         return before and self.reaches(one, item) and not self._is_lifted(one, item)
 
     def _introduces(self, one: SourceStatement) -> bool:

@@ -11,29 +11,10 @@ from collections.abc import Iterable, Iterator
 
 from kowalevski_cas.notation import Formula, Name, Number, Relation
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.left_cases import is_idle, leaves_case
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
-_GENERAL = re.compile(
-    r"(?:[.;:]\s*|\n\s*)(?:(?:in\s+(?:the\s+)?general(?:\s+case)?|generally|otherwise|в\s+общем\s+случае|иначе"
-    r"|im\s+allgemeinen(?:\s+Fall)?|allgemein|sonst|dans\s+le\s+cas\s+g\S*n\S*ral|en\s+g\S*n\S*ral)\b)",
-    re.IGNORECASE,
-)
-"""How a sentence, or a part of it, begins that leaves a case."""
-_LEAVES = re.compile(
-    r"\b(?:drop|remov|lift|relax|abandon|discard|giv\w+\s+up)\w*\s+(?:\w+\s+){0,3}(?:assum|restrict|condition|hypothes|requir|simplif)\w*"
-    r"|\bwithout\s+(?:\w+\s+){0,2}(?:assum|restrict|condition|hypothes|requir|simplif)\w*"
-    r"|\b(?:return|com|go|turn)(?:s|e|es|ing)?\s+back\s+to\b|\breturn(?:s|ing)?\s+to\b"
-    r"|\b(?:full|exact|original|complete|unrestricted|general)\s+(?:system|problem|equations?|case|model|motion)\b"
-    r"|\b(?:for|in)\s+(?:all|every|any|each)(?:\s+(?:other|such))?\s+(?:cases?|examples?|bod(?:y|ies)|systems?|values?|parameters?|choices?|tops?)\b"
-    r"|\b(?:original|physical|dimensional|usual)\s+(?:units?|variables?|time)\b"
-    r"|\bfor\s+(?:other|different|generic|super\w+|sub\w+)\s+(?:values?|parameters?|bodies)\b"
-    r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"
-    r"|\bбез\s+(?:\w+\s+){0,2}(?:предположени|ограничени|услови)\w*|\bобщ(?:ем|ей|ую|ий|ему)\s+(?:случа|задач|систем)\w*"
-    r"|\bohne\s+(?:\w+\s+){0,2}(?:Annahme|Voraussetzung|Einschr\S*nkung)|\bsans\s+(?:\w+\s+){0,2}(?:hypoth|restriction|condition)",
-    re.IGNORECASE,
-)
-"""Words that leave a case."""
 _OTHERS = re.compile(
     r"\b(?:any|all|every|each|other|arbitrary|generic|positive|negative|non-?zero|non-?vanishing|whatever|whichever"
     r"|irrespective\w*|independent\w*|regardless|values?|small|large|var(?:y|ies)"
@@ -42,6 +23,16 @@ _OTHERS = re.compile(
     re.IGNORECASE,
 )
 """Words for other values of a letter that they stand beside."""
+_VANISHES = re.compile(
+    r"\b(?:vanish|zero\b|disappear|absen|drop|mention|omit|null|verschwind|нул|исчез|отсутств|опус)",
+    re.IGNORECASE,
+)
+"""Words beside a letter that is zero; who speaks of it otherwise speaks of other values."""
+_REMAINS = re.compile(
+    r"\b(?:not|never|no\s+longer|different|other|un\w+|nicht|pas|не|отличн)\b\W*(?:\w+\s+){0,3}?"
+    r"(?:vanish|zero|disappear|absen|drop|omit|null|verschwind|нул|исчез|отсутств|опус)",
+    re.IGNORECASE,
+)
 _DENIED = {-1: (">", r"\ge", r"\geq"), 0: ("<", ">", r"\ne", r"\neq"), 1: ("<", r"\le", r"\leq")}
 """The signs that do not hold of numbers, by the sign of their difference."""
 _BESIDE = 40
@@ -50,7 +41,7 @@ _BESIDE = 40
 
 _FOR_LONG = re.compile(
     r"\\(?:(?:sub)*section|paragraph)\b"
-    r"|\b(?:let|suppos\w+|assum\w+|take|put|set|consider|choose|fix|restrict\w*|impose|require|below|always"
+    r"|\b(?:let|suppos(?:e|es|ed|ing)|assum(?:e|es|ed|ing)|(?:mak|adopt|under|impos|add|introduc)\w*\s+(?:the|an?|this)\s+(?:\w+\s+)?(?:assum|suppos|condit|restrict)\w+|take|put|set|consider|choose|fix|restrict\w*|impose|require|below|always"
     r"|throughout|henceforth|from\s+now\s+on|in\s+what\s+follows|speciali[sz]e\w*|confine|limit\s+ourselves"
     r"|study|treat|discuss|turn\s+to|here|where|units?|напомним|далее|всюду|везде|здесь|где|единиц\w*"
     r"|пусть|предполож\w+|полож\w+|полага\w+|прим\w+|счита\w+|рассм\w+|возьм\w+|выбер\w+"
@@ -70,6 +61,7 @@ _GOES_ON = re.compile(
 _NOT_HERE = re.compile(
     r"\b(?:fig(?:ure|s)?|tables?|exercises?|problem\s+\d|computed|authors?|papers?|generali[sz]e|examples?|instance)\b|\be\.\s*g\."
     r"|\[\d+\]|\\cite|\b(?:was|were)\s+(?:assumed|supposed|studied|considered|treated)\b"
+    r"|\b(?:could|might|would)\s+(?:\w+\s+)?(?:put|set|take|assume|suppose|choose|require|impose)\b"
     r"|\bрис\b|\b(?:таблиц|работ|упражнени|(?:на)?пример)\w*|предполагал[оаи]сь",
     re.IGNORECASE,
 )
@@ -126,9 +118,8 @@ def is_lifted(
     What a sentence supposes together is one case; a later one may give a constant another number.
     In the general case constants may still be unequal. Only some ``items`` may lift anything.
     """
-    words = f"{prose.between(one.typed.end, item.typed.start)} § {item.tail}"
     compared = one.formula is not None and not one.members
-    if not compared and (_GENERAL.search(words) or _LEAVES.search(words)):
+    if not compared and _is_left(one, item, prose):
         return True
     case = [other for other in assumptions if other.sentence == one.sentence]
     values = {name: value for other in case for name, value in _numbers(other)}
@@ -143,6 +134,23 @@ def is_lifted(
         or (_gives_another(other, values) and not _is_aside(other, one, item))
         for other in between
     )
+
+
+def _is_left(one: SourceStatement, item: SourceStatement, prose: Prose) -> bool:
+    """Whether words behind what is supposed leave its case."""
+    apart = one.sentence != item.sentence
+    start = one.sentence[1] if apart else one.typed.end
+    words = f"{prose.between(start, item.typed.start)} § {item.tail}"
+    told = [item.before, *item.earlier] if apart else []
+    behind = (k for k, said in enumerate(told) if not _GOES_ON.match(said))
+    idle = not apart and is_idle(item.before)
+    return idle or leaves_case(words, told[: next(behind, 0) + 1])
+
+
+def has_what_vanishes(item: SourceStatement, one: SourceStatement) -> bool:
+    """Whether a later sentence prints a letter that is supposed to be zero: there it is not."""
+    zero = {name for name, value in _numbers(one) if value == Number(0)}
+    return one.sentence != item.sentence and not zero.isdisjoint(item.names)
 
 
 def _is_aside(other: SourceStatement, one: SourceStatement, item: SourceStatement) -> bool:
@@ -180,7 +188,11 @@ def _speaks_of_others(one: SourceStatement, values: dict[str, Formula], prose: P
         return False
     before = prose.between(max(one.typed.start - _BESIDE, one.sentence[0]), one.typed.start)
     behind = prose.between(one.typed.end, min(one.typed.end + _BESIDE, one.sentence[1]))
-    return any(map(_OTHERS.search, (before.rpartition("§")[2], behind.partition("§")[0])))
+    beside = (before.rpartition("§")[2], behind.partition("§")[0])
+    if any(map(_OTHERS.search, beside)):
+        return True
+    gone = any(_VANISHES.search(words) and not _REMAINS.search(words) for words in beside)
+    return values[one.formula.name] == Number(0) and not gone
 
 
 def _numbers(one: SourceStatement) -> Iterator[tuple[str, Formula]]:

@@ -182,7 +182,7 @@ def _named_alone(name: str, item: SourceStatement, known: Known) -> StatementRol
 
 
 _SUPPOSES = re.compile(
-    r"\b(?:suppos\w+|assum\w+|if|when(?:ever)?|provided|пусть|если|когда|предположим)"
+    r"\b(?:suppos\w+|assum\w+|if|when(?:ever)?|provided|means?|signif(?:y|ies)|пусть|если|когда|предположим|означает)"
     r"(?:,?\s+(?:that|что))?(?:\s+(?:the|also|both|функция|величина)(?:\s+\w+)?)?[\s~]*$",
     re.IGNORECASE,
 )
@@ -248,13 +248,24 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(OTHER, f"“{said}” is said of it: it is not claimed", "denied")
     if said := cue("quoted", clause(item)):
         return StatementRole(OTHER, f"“{said}” stands beside it: others claim it", "quoted")
-    if item.after.endswith("?") or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?":
+    if (
+        _ASKS.search(item.lead)
+        or item.after.endswith("?")
+        or known.paper.prose.text[: item.sentence[1]].rstrip()[-1:] == "?"
+    ):
         return StatementRole(OTHER, "it is asked, not claimed", "asked")
     return None
 
 
+_ASKS = re.compile(
+    r"\bwhether\b[^§.;]*$|\bask\w*\s+(?:when|if)\b[^§.;]*$|,\s*ли\b[^§.;]*$", re.IGNORECASE
+)
+"""How words end behind which something is asked."""
 _CONTRARY = re.compile(
-    r"\b(?:assum|suppos)\w*\s+(?:on\s+)?the\s+contrary|\b(?:by|for|to\s+(?:get|obtain|reach))\s+(?:an?\s+)?contradiction"
+    r"\b(?:assum|suppos)\w*,?\s+(?:(?:on|to|for)\s+)?(?:(?:the\s+)?(?:contrary|opposite|converse)|otherwise)\b"
+    r"|\b(?:assum|suppos)\w*\s[^.;§]*\b(?:is|were|was)\s+(?:false|wrong|untrue|not\s+true)\b|\bargu\w+\s+indirectly\b|\breductio\b"
+    r"|\b(?:пусть|допустим|предположим),?\s+(?:напротив|обратное)|\bAngenommen\b[^.;§]*\b(?:anders|Gegenteil|falsch)\b"
+    r"|\bsupposons\s+le\s+contraire|\bpar\s+l['’]absurde|\b(?:by|for|to\s+(?:get|obtain|reach))\s+(?:an?\s+)?contradiction"
     r"|\bпредположим\s+противное|\bот\s+противного",
     re.IGNORECASE,
 )

@@ -83,7 +83,7 @@ _POSITIVE_BEFORE = re.compile(
     re.IGNORECASE,
 )
 _POSITIVE_BEHIND = re.compile(
-    r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed)\s+)*positive\b"
+    r"[\s,~]*(?:(?:are|is|be|denotes?)\s+(?:(?:all|both|given|an?|small|some|fixed|assumed|taken|to|be)\s+)*positive\b"
     r"(?![\s-]+(?:definite|for|in|at|near|only|if|when|where|on|while|unless|or)\b)"
     r"|[-—–]*\s*положительн(?:ы|а|о|ые)\b)",
     re.IGNORECASE,
@@ -93,7 +93,11 @@ _POSITIVE_BEHIND = re.compile(
 
 _CLOSE = 60
 """So many signs before a letter stand words that are about it."""
-_NOT_OF_THESE = re.compile(r"\b(?:either|neither|or|unlike|или|либо)\b|\[\d|\\cite", re.IGNORECASE)
+_NOT_OF_THESE = re.compile(
+    r"\b(?:either|neither|or|unlike|usually|generally|often|mostly|normally|typically|sometimes|или|либо|обычно"
+    r"|часто)\b|\[\d|\\cite",
+    re.IGNORECASE,
+)
 _OF = re.compile(r"\b(?:of|из)\b", re.IGNORECASE)
 """Words before letters that do not speak of these, or not of each of them."""
 
@@ -265,14 +269,20 @@ def _is_number_of_name(one: SourceStatement) -> bool:
 _CITED = r"(?![\s~]*\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z]))"
 """What is supposed is not cited: what stands behind a citation is said under what it cites."""
 _SOME = (
-    r"\b(?:if|when|whenever|suppos\w+|assum\w+|seek|sought|impossible)\b"
+    r"\b(?:if|when|whenever|suppos\w+|assum\w+|requir(?:e|ing)|demand(?:ing)?|impos(?:e|ing)|seek|sought|impossible)\b"
     r"|\b(?:motions?|solutions?|points?|states?|moments?|instants?|times?|orbits?|trajector(?:y|ies)|curves?)"
     r"\s+(?:with|where|when|(?:at|for|in|on)\s+which|such\s+that|that\s+satisfy|satisfying)\b"
     rf"|^\W*(?:where\b|let(?=[\s~]*$)|let\s+us\s+(?:seek|suppose|assume|look|require)\b)|\b(?:conditions?|requirement)\b{_CITED}"
-    rf"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b{_CITED}|\b(?:для|при|в|на)\s+котор\w+"
+    rf"|\b(?:если|когда|пусть|предполож\w+|допуст\w+|невозможно|услови\w+)\b{_CITED}|\b(?:для|при|в|на)\s+котор\w+|(?:точк|движени|решени|состояни)\w+,\s+где\b"
 )
 _OF_SOME = re.compile(rf"(?:{_SOME})[^§,;:]*$", re.IGNORECASE)
 """How words end behind which something is supposed of some motions."""
+_OF_ALL = re.compile(
+    r"\bunder\s+(?:this|these|our|such|the\s+(?:same|above))\s+(?:\w+\s+)?(?:assumption|supposition|condition|requirement|hypothes[ie])s?\b"
+    r"|\b(?:any|all|every|arbitrary)\s+initial\s+conditions?\b|\bпри\s+(?:этом|этих|любых)\s+(?:\w+\s+)?(?:услови|предположени)\w+",
+    re.IGNORECASE,
+)
+"""Words for what was supposed already, or for all motions."""
 
 
 def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -282,7 +292,7 @@ def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None
     if Number(0) in item.members and item.typed.inline and (put := PUT.search(item.lead)):
         why = f"“{put[0].strip()}” supposes it of some motions"
         return StatementRole(ASSUMPTION, why, "set of the sentence")
-    said = _OF_SOME.search(item.before)
+    said = _OF_SOME.search(_OF_ALL.sub("", item.before))
     if said is None or cue("then", said[0]) or cue("claim", said[0]):
         return None
     return StatementRole(OTHER, f"“{said[0].strip()}”: it is said of some motions", "asked")

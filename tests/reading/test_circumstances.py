@@ -43,15 +43,40 @@ def test_what_is_so_in_some_circumstance_is_not_refuted(words):
             r"It would follow that $\dot r=1$, which is absurd.",
             r"Если тело симметрично, то $\dot r=0$.",
             r"Отсюда в положении равновесия $\dot p=0$.",
+            r"For some motions $\dot p=0$.",
+            r"Initially $\dot p=0$.",
+            r"If $p$ is constant, then $\dot p=0$.",
+            r"Neglecting the product of $q$ and $r$, we get $\dot p=0$.",
+            r"The equality $\dot p=0$ means that $p$ is constant.",
+            r"The case $\dot p=0$ is excluded.",
+            r"We require $\dot p=0$.",
+            r"We do not have $\dot p=0$.",
+            r"We ask whether $\dot p=0$.",
+            r"Many authors write $\dot p=0$.",
+            r"Suppose, on the contrary, that $\dot p=0$.",
+            r"Точки, где $\dot p=0$, суть точки возврата.",
+            r"Im Gleichgewicht ist $\dot p=0$.",
+            r"À l'équilibre $\dot p=0$.",
         ],
-        3,
+        6,
     ),
 )
 def test_what_is_so_of_some_bodies_or_motions_is_not_refuted(words):
     assert Verdict.REFUTED not in verdicts(EULER + words).values()
 
 
-@pytest.mark.parametrize("words", ["Hence", "It follows that", "Differentiating, we obtain"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Hence",
+        "It follows that",
+        "Differentiating, we obtain",
+        "Hence, on the other hand,",
+        "Hence, in particular,",
+        "On differentiating we find",
+        "In this way we find",
+    ],
+)
 def test_without_one_it_is(words):
     (found,) = verdicts(rf"{PENDULUM}{words} \[l\dddot\theta=g\dot\theta\cos\theta.\]").values()
     assert found == Verdict.REFUTED

@@ -16,6 +16,13 @@ LASTING = [
     rf"In what follows $b=0$ and $a>0$. The constant $b$ will not be mentioned. Then {RATE}.",
     rf"Let $b=0$. Obviously $b\ge0$ and $b<1$. Then {RATE}.",
     rf"Пусть $b=0$. Тогда движение периодично. Имеем {RATE}.",
+    rf"Let $b=0$. Then there is no friction. We get {RATE}.",
+    rf"Let $b=0$. As $b$ vanishes, {RATE}.",
+    rf"Let $b=0$. Without friction {RATE}.",
+    rf"Let $b=0$. For the undamped system {RATE}.",
+    rf"Let $b=0$. If we differentiate $H$, we find {RATE}.",
+    rf"Suppose that $b=0$. Under this assumption {RATE}.",
+    rf"Suppose that $b=0$. For any initial conditions {RATE}.",
 ]
 LIFTED = [
     rf"Suppose first that $b=0$. For any $b$ we have {RATE}.",
@@ -49,6 +56,30 @@ LIFTED = [
     rf"Пусть $b=0$. Тогда движение периодично. При любом $b$ имеем {RATE}.",
     rf"Es sei $b=0$. Im allgemeinen gilt {RATE}.",
     rf"Soit $b=0$. Dans le cas g\'en\'eral on a {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Suppose now that this is not so. Then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. In the opposite case {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Else {RATE}.",
+    rf"Let $b=0$. Then it is periodic. If not, then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. If friction is present, then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. We now allow friction. Then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. In the presence of friction {RATE}.",
+    rf"Let $b=0$. Then it is periodic. With friction one has {RATE}.",
+    rf"Let $b=0$. Then it is periodic. We pass to the damped oscillator. Here {RATE}.",
+    rf"Let $b=0$. Then it is periodic. When the coefficient of friction is different from zero, {RATE}.",
+    rf"Let $b=0$. Then it is periodic. When $b$ does not vanish, {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Let us now restore $b$. Then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. If $b$ is kept, then {RATE}.",
+    rf"Let $b=0$. Then it is periodic. The assumption is superfluous. Indeed, {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Even without it {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Actually this holds always: {RATE}.",
+    rf"Let $b=0$. Then it is periodic. The restriction to $b=0$ is immaterial, {RATE}.",
+    rf"Let $b=0$. Then it is periodic. If the wind is strong, {RATE}.",
+    rf"Let $b=0$. Then it is periodic. В противном случае {RATE}.",
+    rf"Let $b=0$. Then it is periodic. При наличии трения {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Nun sei Reibung vorhanden. Dann ist {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Andernfalls ist {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Avec frottement, on a {RATE}.",
+    rf"Let $b=0$. Then it is periodic. Sinon, {RATE}.",
 ]  # fmt: skip
 
 
@@ -57,3 +88,13 @@ LIFTED = [
 )
 def test_what_was_supposed_proves_nothing_where_it_is_over(words, lasts):
     assert verdicts(DAMPED + words)[r"\dot H=0"].green == lasts
+
+
+@pytest.mark.parametrize(
+    ("rate", "green"), [(r"\dot H=-by^2", True), (r"\dot H=-2by^2", False), (r"\dot H=by^2", False)]
+)
+def test_a_formula_with_a_letter_is_not_said_where_that_is_zero(rate, green):
+    assert (
+        verdicts(rf"{DAMPED} Let $b=0$. Then ${RATE[1:-1]}$. We have ${rate}$.")[rate].green
+        == green
+    )

@@ -298,6 +298,8 @@ def test_what_gives_a_constant_of_the_law_by_others_defines_it(definition):
         ("where $k$ is a constant", r"\le", False),
         ("where $k$ is not positive", r"\le", False),
         ("where $k$ is positive for soft springs", r"\le", False),
+        ("where $k$ is assumed positive", r"\le", True),
+        ("where usually $k$ is positive", r"\le", False),
         ("where the sum of $j$ and $k$ is positive", r"\le", False),
         ("where either $j$ or $k$ is positive", r"\le", False),
         ("unlike [2], where $k$ is positive,", r"\le", False),
