@@ -50,7 +50,8 @@ _MEANS = (
     r"|example|instance|brevity|convenience|simplicity|definiteness|account|substitut\w+|differentiat\w+|inserting|using"
     r"|an?\s+(?:similar|word|way|frame|donc|alors|ainsi)|obtient|trouve|voit|(?:the\s+)?(?:\w+\s+)?(?:notations?|variables?|coordinates?|forms?|components?|paper"
     r"|sections?|theorem|lemma|proof|equations?|sequel|functions?|derivatives?|rates?|integrals?|quantit(?:y|ies)|sake"
-    r"|expressions?|energy|hand|other|sides?|flow|left|right|same|following|usual|first|second|third)"
+    r"|expressions?|energy|hand|other|sides?|flow|left|right|same|following|usual|first|second|third"
+    r"|quadrant|octant|domain|region|half-?(?:plane|space)|phase)"
     r"|силу|результате|частности|итоге|помощи|виде|этом\s+виде|люб\w+|все\w*|кажд\w+)\b)"
 )
 """What stands here behind a preposition is no circumstance, but a means, or all that there is."""
