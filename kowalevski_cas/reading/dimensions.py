@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
     Number,
     Partial,
     Power,
+    Product,
     Quotient,
     Relation,
     Sum,
@@ -270,8 +271,14 @@ def _said(one: SourceStatement, known: Known) -> Formula | None:
 
 
 def _may_be(formula: Formula, path: tuple[int, ...], new: Formula) -> bool:
-    """Whether a change puts no name for one of another kind, nor raises or derives by one more."""
+    """Whether a change puts no name for one of another kind, nor raises or derives by one more.
+
+    No sum, and no rate, is left out as a factor.
+    """
     old = subtree(formula, path)
+    lost = {*old.nodes()} - {*new.nodes(), old}
+    if isinstance(old, Product) and any(isinstance(node, Sum | Derivative) for node in lost):
+        return False
     above = ((subtree(formula, path[:k]), index) for k, index in enumerate(path))
     if new.names() and any(isinstance(node, Power) and index == 1 for node, index in above):
         return False

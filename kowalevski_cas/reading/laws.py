@@ -86,11 +86,12 @@ def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -
     """Whether a law beside a Lagrangian, or a Hamiltonian, moves some of its coordinates only.
 
     It has momenta that are constant, or names that the other coordinates give: so what is printed
-    follows from all equations. So do equations of which one has a coordinate to a lower order.
+    follows from all equations. So do equations of which some have a coordinate to a lower order.
     """
     moving = {name: order for row in rows for name, order in row.rates.items()}
     printed = {name: order for row in law.rows for name, order in row.rates.items()}
-    if {*printed} <= {*moving} and any(order < moving[name] for name, order in printed.items()):
+    lower = {order < moving.get(name, 0) for name, order in printed.items()}
+    if {*printed} <= {*moving} and len(lower) > 1:
         return True
     alike = {order for row in law.rows for order in row.rates.values()} == {*moving.values()}
     left = {*moving} - {*law.variables}
