@@ -41,7 +41,7 @@ def at_no_deviation(item: SourceStatement, last: SetOfEquations, known: Known) -
     law = _law(item, known)
     if law is None or law.base is None:
         return ()
-    elsewhere = (one for one in last if one.order > law.change[0].order)
+    elsewhere = (one for one in last if one.order > law.change[-1].order)
     if any(_is_of_other_place(one, row, law) for one in elsewhere for row in law.change):
         return ()
     others = {*law.variables} - {*law.new}

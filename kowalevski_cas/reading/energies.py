@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
-from kowalevski_cas.notation import Derivative, Formula, Name
+from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
@@ -141,22 +141,16 @@ def _of_two(
         yield from _each(rows, kinetic, law, parts, doubt)
 
 
-def _orders(law: Law) -> dict[str, int]:
-    """The highest order of a derivative of each of the names that move by a law."""
-    members = [member for row in law.rows for member in row.members]
-    return {x: max(_order(member, x) for member in members) for row in law.rows for x in row.rates}
-
-
 def _is_whole(item: SourceStatement, law: Law) -> bool:
     """Whether a law is of the second order, and moves all of which an energy has rates."""
-    orders = _orders(law)
+    orders = law.orders
     return {*orders} == {*law.variables} >= {*item.rates} and {*orders.values()} == {2}
 
 
 def _rows(item: SourceStatement, law: Law) -> Sequence[str]:
     """The equations of Lagrange or Hamilton for what moves; none if that is not all of it."""
     name = item.bare[0]
-    first = {*_orders(law).values()} == {1}
+    first = {*law.orders.values()} == {1}
     if name in LAGRANGIANS:
         return [lagrange(name, x) for x in law.variables] if _is_whole(item, law) else []
     with suppress(ValueError):
@@ -164,12 +158,6 @@ def _rows(item: SourceStatement, law: Law) -> Sequence[str]:
         if {x for pair in pairs for x in pair} == {*law.variables}:
             return [*hamilton(name, pairs)]
     return []
-
-
-def _order(formula: Formula, name: str) -> int:
-    """The highest order of a derivative of what has a name in it."""
-    below = max((_order(child, name) for child in formula.children()), default=0)
-    return below + (isinstance(formula, Derivative) and name in formula.names())
 
 
 def _canonical(

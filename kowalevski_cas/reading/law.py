@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from kowalevski_cas.notation import Name, Number, Power
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -73,6 +73,12 @@ class Law:
                 waiting += inner
             found |= {name} & reached
         return found
+
+    @property
+    def orders(self) -> dict[str, int]:
+        """The highest order of a derivative of each of the names that move by its rows."""
+        members = [member for row in self.rows for member in row.members]
+        return {x: max(_order(one, x) for one in members) for row in self.rows for x in row.rates}
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -149,3 +155,9 @@ def _head(item: SourceStatement) -> tuple[str, ...]:
         case (Power(Name(name), Number(2)), *_):
             return (name,)
     return item.bare[:1]
+
+
+def _order(formula: Formula, name: str) -> int:
+    """The highest order of a derivative of what has a name in it."""
+    below = max((_order(child, name) for child in formula.children()), default=0)
+    return below + (isinstance(formula, Derivative) and name in formula.names())

@@ -89,9 +89,8 @@ def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -
     follows from all equations. So do equations of which some have a coordinate to a lower order.
     """
     moving = {name: order for row in rows for name, order in row.rates.items()}
-    printed = {name: order for row in law.rows for name, order in row.rates.items()}
-    lower = {order < moving.get(name, 0) for name, order in printed.items()}
-    if {*printed} <= {*moving} and len(lower) > 1:
+    lower = {order < moving.get(name, 0) for name, order in law.orders.items()}
+    if law.orders.keys() <= moving.keys() and len(lower) > 1:
         return True
     alike = {order for row in law.rows for order in row.rates.values()} == {*moving.values()}
     left = {*moving} - {*law.variables}

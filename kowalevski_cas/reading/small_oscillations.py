@@ -177,8 +177,12 @@ def _frequencies_before(item: SourceStatement) -> re.Match[str] | None:
 
 
 def is_of_equation(item: SourceStatement, known: Known) -> bool:
-    """Whether words only call it a frequency, behind linear equations of which it may be one."""
-    said = not _frequencies_before(item) and _OF_EQUATION.search(before_list(item.before))
+    """Whether words only call it a frequency, behind linear equations of which it may be one.
+
+    A letter alone is only named so.
+    """
+    named = isinstance(item.formula, Name) or _frequencies_before(item)
+    said = not named and _OF_EQUATION.search(before_list(item.before))
     return bool(said) and bool(linear_before(item, known))
 
 
