@@ -396,13 +396,18 @@ class Symbols(Cursor):
     def stands_apart(self, argument: Formula, token: Token) -> bool:
         r"""Whether a space ends a letter as the argument, as in \sin\theta\,(a-b); not before t.
 
-        So does a bracket of which no phase is made, as in \sin\theta(1-\cos\theta).
+        Behind what moves a bracket does so of which no phase is made: \sin\theta(1-\cos\theta).
         """
-        if isinstance(argument, Name) and token.kind == "open" and self.is_before_bent():
-            return True
+        if isinstance(argument, Name) and token.kind == "open" and self.may_move(argument.name):
+            if self.is_before_bent():
+                return True
         gap = self.tex[self.tokens[self.at - 1].end : token.start]
         apart = token.text not in self.vocabulary.times and token.kind in ("open", "letter")
         return isinstance(argument, Name) and apart and _SPACE.search(gap) is not None
+
+    def may_move(self, name: str) -> bool:
+        """Whether a name moves, as far as the vocabulary says what does; no number does."""
+        return name in self.vocabulary.moving if self.says_what_moves else name != _PI
 
     def is_before_bent(self) -> bool:
         """Whether functions or powers stand in the bracket that begins here, and no time."""

@@ -44,6 +44,7 @@ from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
     equation_of_root,
+    is_damped,
     is_of_equation,
     letters_for,
     linear_before,
@@ -95,7 +96,8 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         if (equation := equation_of_root(item, known)) is None:
             place = point_of
         says = "this is an eigenvalue of the linear part at this point"
-    point = place(equation or item, known)
+    only_called = at.role.kind == FREQUENCY and is_of_equation(item, known)
+    point = () if only_called else place(equation or item, known)
     law = law_of_points(item, known) or next(law for law in known.laws if not law.images)
     rows = () if point else linear_before(item, known)
     if rows:
@@ -112,7 +114,7 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         )  # fmt: skip
         yield replace(
             rung, constants=tuple(one for one in rung.constants if one not in letters),
-            is_stronger=bool(rows) and is_of_equation(item, known),
+            is_stronger=only_called or (kind is Frequency and any(map(is_damped, law.rows))),
         )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
 _OTHERS = re.compile(
-    r"\b(?:any|all|every|each|other|arbitrary|generic|positive|negative|non-?zero|non-?vanishing|whatever|whichever"
+    r"\b(?:any|all|every|each|other|arbitrary|generic|general|positive|negative|non-?zero|non-?vanishing|whatever|whichever"
     r"|irrespective\w*|independent\w*|regardless|values?|small|large|var(?:y|ies)"
     r"|любо\w*|любы\w*|все\w*|всяк\w*|произвольн\w*|други\w*|положительн\w*|отрицательн\w*|ненулев\w*|независимо|малы\w*"
     r"|beliebig\w*|alle\w*|jede\w*|andere\w*|positiv\w*|negativ\w*|tout\w*|tous|quelconque\w*|quel\w*|autres?|positi\w+)\b",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Name, Number, Power
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
@@ -184,6 +184,21 @@ def is_of_equation(item: SourceStatement, known: Known) -> bool:
     named = isinstance(item.formula, Name) or _frequencies_before(item)
     said = not named and _OF_EQUATION.search(before_list(item.before))
     return bool(said) and bool(linear_before(item, known))
+
+
+def is_damped(row: SourceStatement) -> bool:
+    """Whether a rate stands beside an acceleration: oscillations may be damped."""
+    rates = [node.argument for member in row.members for node in _derivatives(member)]
+    return len({*map(type, rates)}) > 1
+
+
+def _derivatives(formula: Formula) -> Iterator[Derivative]:
+    """The derivatives in a formula that are derived no more."""
+    if isinstance(formula, Derivative):
+        yield formula
+        return
+    for child in formula.children():
+        yield from _derivatives(child)
 
 
 def linear_before(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:

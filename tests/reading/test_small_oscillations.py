@@ -158,3 +158,9 @@ def test_an_equation_for_frequencies_is_never_red():
 def test_eigenvalues_of_accelerations_are_never_red():
     text = r"The equation of motion is \[\ddot u=-nu .\] The eigenvalues at the origin are $-n$."
     assert [one.value for one in verdicts(text).values()] == ["undecided"]
+
+
+@pytest.mark.parametrize("words", ["The frequency of small oscillations is", "The frequency is"])
+def test_of_damped_oscillations_another_frequency_may_be_meant(words):
+    linear = SWING + r"Near $u=0$ we have to the first order \[ \ddot u+c\dot u+nu=0 .\] "
+    assert last(linear + words + r" \[ \nu=\sqrt{n-\frac{c^2}4} .\]") is None
