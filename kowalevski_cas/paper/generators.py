@@ -165,7 +165,7 @@ def _definitions(setting: Meaning, names: Iterable[str]) -> Iterator[Formula]:
 def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
     """The names that stand outside of functions in formulas, and in what is defined of them.
 
-    The rate of what is defined is computed with its value.
+    The second derivative of what is defined is computed with its value.
     """
     scene, found, waiting = setting.scene, set[str](), [*formulas]
     heads: dict[str, list[str]] = {}
@@ -174,7 +174,7 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
     while waiting:
         formula = waiting.pop()
         applied = {primitive(n.function)[0] for n in formula.nodes() if isinstance(n, Application)}
-        rated = {name for n in formula.nodes() if isinstance(n, Derivative) for name in n.names()}
+        rated = {name for n in formula.nodes() if _is_second(n) for name in n.names()}
         new = (outside(formula) | applied | (rated & heads.keys())) - found
         found |= new
         found.update(part for name in new for part in scene.vectors.get(name, ()))
@@ -182,6 +182,11 @@ def free_names(setting: Meaning, formulas: Iterable[Formula]) -> frozenset[str]:
             setting, [definition for name in new for definition in heads.get(name, ())]
         )
     return frozenset(found)
+
+
+def _is_second(formula: Formula) -> bool:
+    """Whether a formula derives a derivative."""
+    return isinstance(formula, Derivative) and isinstance(formula.argument, Derivative)
 
 
 def with_generators(
