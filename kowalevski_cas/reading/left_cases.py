@@ -29,6 +29,8 @@ _LEAVES = re.compile(
     r"|\bfor\s+(?:other|different|generic|super\w+|sub\w+)\s+(?:values?|parameters?|bodies)\b"
     r"|\b(?:holds?|true|valid|so|correct)\s+(?:always|in\s+general|generally|quite\s+generally|without\s+exception)\b"
     r"|\balways\s+(?:holds?|true|valid)\b|\b(?:is|are)\s+not\s+(?:so|the\s+case|true)\b"
+    r"|\b(?:whatever|whichever|regardless|irrespective\w*)\b(?!\s+(?:of\s+)?(?:(?:the|its|their)\s+)?"
+    r"(?:initial|beginning|motion|position|velocit|speed|amplitude|time|direction|sign|energy|orbit))"
     r"|\bno\s+longer\s+(?:\w+\s+)?(?:assum|suppos|requir|restrict|impos|consider|tru|valid|hold)\w*"
     r"|\bindependent(?:ly)?\s+of\s+(?:the|this|our|these)\s+(?:\w+\s+)?(?:assum|restrict|condition|hypothes|choice)\w*|\bwhether\s+or\s+not\b"
     r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"

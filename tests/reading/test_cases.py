@@ -186,6 +186,8 @@ ENERGY = r"The function $E=\frac12(\dot x^2+\dot y^2+x^2+y^2)+x^2y+\frac k3y^3$ 
             (FIRST, "Put $u=x+y$. Then", r"\ddot u=-u+u^2", False),
             (FIRST, "Put $u=x+y$. For any $k$ we have", r"\ddot u=-u-u^2", False),
             (FIRST, "Put $u=x+y$. For general $k$ we have", r"\ddot u=-u-u^2", False),
+            (FIRST, "Put $u=x+y$. Whatever the constants are,", r"\ddot u=-u-u^2", False),
+            (FIRST, "Put $u=x+y$. Whatever the initial values are,", r"\ddot u=-u-u^2", True),
             (ENERGY + " " + FIRST, "Put $u=x+y$. Then", r"\ddot u=-u-u^2", False),
             (FIRST + " If $k=6$, there is another one.", "Put $u=x+y$. Then", r"\ddot u=-u-u^2", False),
         ],
