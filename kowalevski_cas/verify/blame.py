@@ -68,6 +68,9 @@ MOST = 3
 SHARE = 10
 """The part of the time in which more corrections of a formula are sought, if there is one."""
 
+LESS = 4
+"""The part of the time in which a number is sought where no slip of the pen mends anything."""
+
 _OF_POINTS = (InvariantRelations, RestPoint, RestPoints, OfLinearPart, Inequality)
 """The claims that say so little of the law that for one of them alone it is not suspected."""
 
@@ -268,14 +271,13 @@ class Blame:
 
         Where no slip of the pen does, a coefficient may be any number.
         """
+        on = self.corrector.interpretation, partial(self._right, failing)
         end = clock() + self.seconds
-        for candidates in (changes, numbers):
-            right = partial(self._right, failing)
-            tried = candidates(failing, least, self.corrector.interpretation, right)
-            in_time = takewhile(lambda _: clock() < end, tried)
-            if found := self._mending(in_time, least, one):
-                return found
-        return []
+        in_time = takewhile(lambda _: clock() < end, changes(failing, least, *on))
+        if found := self._mending(in_time, least, one):
+            return found
+        end = clock() + self.seconds / LESS
+        return self._mending(numbers(failing, least, *on, lambda: clock() < end), least, one)
 
     def _mending(
         self, candidates: Iterable[Suspicion], least: int, one: Claim | None

@@ -6,9 +6,10 @@ of it alone is a common factor of all their coefficients; where that is linear, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from itertools import takewhile
 
 from kowalevski_cas.notation import (
     Edit,
@@ -33,15 +34,20 @@ from kowalevski_cas.verify.statement import Statement
 UNKNOWN = Name("?")
 
 
-def missing_numbers(claim: Claim, place: Printed, on: Elaborations) -> Iterator[Edit]:
-    """The edits of a formula that give a claim the one positive coefficient by which it holds."""
+def missing_numbers(
+    claim: Claim, place: Printed, on: Elaborations, goes_on: Callable[[], bool]
+) -> Iterator[Edit]:
+    """The edits of a formula that give a claim the one positive coefficient by which it holds.
+
+    They are sought as long as ``goes_on`` says so.
+    """
     statement = on.texts.statement(place)
     places = dict.fromkeys(
         edit.path
         for edit in edits(statement, on.texts.vocabulary)
         if edit.kind == "coefficient" and edit.replacement != Number(0)
     )
-    for path in places:
+    for path in takewhile(lambda _: goes_on(), places):
         edit = _with_unknown(Edit("coefficient", path, UNKNOWN, "", statement, on.texts.vocabulary))
         with suppress(NotationError, Meaningless, ZeroDivisionError):
             for number in _solutions(claim, place, edit, on):

@@ -184,10 +184,11 @@ def numbers(
     least: int,
     interpretation: Interpretation,
     right: Callable[[], Collection[Printed]],
+    goes_on: Callable[[], bool],
 ) -> Iterator[Suspicion]:
     """Coefficients, however far from what is printed, by which the first of the claims holds.
 
-    Whole ones come first.
+    Whole ones come first. They are sought as long as ``goes_on`` says so.
     """
     suspects = _suspects(failing, least, interpretation, right())
     first, *_ = failing
@@ -198,7 +199,7 @@ def numbers(
         (suspect, edit, place, [claim for claim in failing if place in claim.reads()])
         for place, suspect in suspects.items()
         if place in first.reads() and (not own or place in own_places)
-        for edit in missing_numbers(first, place, interpretation.on(first))
+        for edit in missing_numbers(first, place, interpretation.on(first), goes_on)
         if not changes_subject(edit)
     ]
     yield from sorted(several, key=lambda found: (found[0], _is_broken(found[1])))
