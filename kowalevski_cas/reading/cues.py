@@ -179,6 +179,8 @@ CUES: dict[str, str] = {
         (?:§|уг(?:ол|лы)|отклонени[ея]|амплитуд[уы])\s+(?:\w+\s+)?мал(?:ым|ыми|ой|ы)\b
         линейн\w+\s+член\w*
         petites\s+oscillations kleine\w*\s+(?:Schwingung|Ausschl|Winkel)\w*
+        (?:keep|retain)\w*\s+(?:only\s+)?(?:the\s+)?(?:linear|first-order|leading)\s+terms
+        (?:сохран|удерж|оставл)\w+\s+(?:только\s+|лишь\s+)?(?:линейные|главные)\s+члены
         \bup\s+to\s+(?:terms|quantities|errors?|corrections)\s+of
         \bwith\s+an?\s+error\s+of \broughly\b
         \b(?:almost|nearly)\b(?!\s+(?:all|every|any|surely|periodic\w*|integrable))
@@ -196,6 +198,7 @@ CUES: dict[str, str] = {
     "linear": r"""
         first\s+(?:order|approximation|variation) lineari[sz]\w*
         linear\s+(?:equation|system|approximation)
+        (?:keep|retain)\w*\s+(?:only\s+)?(?:the\s+)?(?:linear|first-order)\s+terms
         small\s+(?:angle|deviation|oscillation|motion|displacement|vibration)\w* infinitesimal\w*
         перв\w+\s+(?:порядк|приближени)\w+ линеариз\w+ линейн\w+\s+(?:уравнени|систем)\w+
         мал\w+\s+(?:колебани|отклонени)\w+""",
@@ -287,6 +290,8 @@ CUES: dict[str, str] = {
         another\s+(?:system|problem|example) second\s+(?:system|example|problem)
         \bconsider\s+(?:now|also|next|the) next\s+example \bturn\s+to\b
         \b(?:is|are)\s+added\b \badd(?:ing)?\s+(?:to\b|a\b|the\b) \bperturbed\b \bfriction\b
+        \blet\b[^.;]*§\s+(?:satisfy|obey|solve|be\s+(?:a\s+|the\s+)?solutions?\s+of)[\s:]*$
+        \bпусть\b[^.;]*§\s+(?:удовлетворя\w+|подчиня\w+|явля\w+\s+решени\w+)[^§]*$
         \bdamping\b \bdrag\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",

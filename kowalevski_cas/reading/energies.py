@@ -185,7 +185,7 @@ def _canonical(
 def _have_more(energies: Sequence[SourceStatement], law: Law, known: Known) -> bool:
     """Whether words tell another force, or a row has a constant that the energies have not."""
     own = {inner for item in energies for name in item.names for inner in known.below(name)}
-    functions = known.paper.functions_by_name
+    functions = known.functions
     own |= {jet for jet, of in functions.items() if own & {one.name for one in of}}
     acting = {inner for name in law.mentions for inner in known.below(name)}
     end = max(one.typed.end for one in (*law.rows, *energies))

@@ -43,6 +43,7 @@ from kowalevski_cas.reading.free_formulas import (
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NOTATION, OTHER, Known
 from kowalevski_cas.reading.premises import has_integral, pairs_of
 from kowalevski_cas.reading.slips import KINDS, LIKELY, is_integrated, may_be, slips, with_slip
+from kowalevski_cas.reading.small_oscillations import FREQUENCY
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.steps import DerivationStep, PrintedBefore
 from kowalevski_cas.reading.variational import rates_behind, says_rates
@@ -92,7 +93,7 @@ NEXT = 20
 NEAR = 3
 """In how many displays before a step that fails the reason is looked for."""
 
-_OF_ALL = ("identity", "integral", "solution", "constant", "energy")
+_OF_ALL = ("identity", "integral", "solution", "constant", "energy", FREQUENCY)
 """The kinds of claims that are made of no set."""
 
 OF_SENTENCE = "of the sentence"
@@ -136,21 +137,41 @@ def steps(
     for one in known.items:
         sections.setdefault(id(one.section), []).append(one)
     for items in sections.values():
-        yield from _Section(items, formulas, known).steps(asked, doubted, left)
+        given = [*_given_elsewhere(items, formulas, known)]
+        yield from _Section(items, given, formulas, known).steps(asked, doubted, left)
+
+
+def _given_elsewhere(
+    items: Sequence[SourceStatement], formulas: Mapping[SourceStatement, Formula], known: Known
+) -> Iterator[SourceStatement]:
+    """What gives, last before a section, the letters of its expansions that nothing gives there."""
+    giving: dict[str, list[SourceStatement]] = {}
+    for one in (one for one in known.items if one in formulas):
+        match pairs_of(formulas[one])[:1]:
+            case [(Name(name), _)]:
+                giving.setdefault(name, []).append(one)
+    expanded = (one for one in items if one in formulas and expansions_of(formulas[one]))
+    for name in dict.fromkeys(name for one in expanded for name in sorted(one.names)):
+        found = giving.get(name, [])
+        if found and not any(one.section is items[0].section for one in found):
+            yield from [one for one in found if one.order < items[0].order][-1:]
 
 
 class _Section:
-    """The statements of a section that say something, in their order."""
+    """The statements of a section that say something, in their order, behind what is given them."""
 
     def __init__(
         self,
-        items: Sequence[SourceStatement],
+        own: Sequence[SourceStatement],
+        given: Sequence[SourceStatement],
         formulas: Mapping[SourceStatement, Formula],
         known: Known,
     ) -> None:
         self.known = known
+        items = [*given, *own]
         self.formulas = {one: formulas[one] for one in items if one in formulas}
         self.said = [one for one in self.formulas if _says(one, self.formulas[one], known)]
+        self.own = [one for one in self.said if one not in given]
         self.words: Vocabulary = with_gradients(known.paper.words, self.formulas.values())
         self._arguments = arguments(known.paper, items)
 
@@ -165,7 +186,7 @@ class _Section:
         Where what words explain behind a step is wrong, the step may be right.
         """
         found: dict[SourceStatement, Step] = {}
-        for item in self.said:
+        for item in self.own:
             if not (item in doubted or self._is_step(item)):
                 continue
             sure = [one for one in self._before(item) if one in _mended(found) or one not in left]

@@ -94,6 +94,21 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     return (*found, *_with_gradients(texts, {*given, *lists}))
 
 
+def told_since(
+    functions: Iterable[Unknown], formulas: Sequence[TypedFormula], text: str
+) -> dict[str, int]:
+    """Where the section begins that first makes names, and their derivatives, functions of time."""
+    names = names_of(one for one in functions if one.by == (TIME,))
+    starts = [one.start() for one in _SECTION.finditer(text)] if names else []
+    since: dict[str, int] = {}
+    for start, end in zip([0, *starts], [*starts, len(text)], strict=True):
+        if names - since.keys():
+            before = [one for one in formulas if one.start < end]
+            told = names_of(free_functions(before, text[:end]))
+            since |= dict.fromkeys(names & told - since.keys(), start)
+    return since
+
+
 _BOLD = r"\\(?:mathbf|boldsymbol|bm|vec)\s*(?:\{\s*\\?[A-Za-z]+\s*\}|\s\\?[A-Za-z]+|\\[A-Za-z]+)"
 _GRADIENT = re.compile(
     rf"\\[dt]?frac\s*\{{\s*\\partial\s*(?P<name>{NAME})\s*\}}\s*\{{\s*\\partial\s*(?P<by>{_BOLD})\s*\}}"
@@ -146,15 +161,16 @@ _GIVEN = re.compile(
 
 
 def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
-    """The names at the time in a formula by itself that words call functions.
+    """The names at the time in a formula by itself: these are functions, and no products.
 
     They stand in equations for something else, too: at the time, if they are not said to be given.
     """
     found: dict[str, bool] = {}
     for formula in formulas:
         match = APPLIED.fullmatch(formula.tex.strip())
-        if match and match["by"] == TIME and (said := _OF_TIME.match(text, formula.end)):
-            found[match["name"].replace(" ", "")] = _GIVEN.search(said[0]) is not None
+        if match and match["by"] == TIME:
+            said = _OF_TIME.match(text, formula.end)
+            found[match["name"].replace(" ", "")] = bool(said and _GIVEN.search(said[0]))
     rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
     moved = {*_moved(rows)}
     return {

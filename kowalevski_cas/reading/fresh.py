@@ -18,7 +18,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether nothing has said yet what a name is."""
     function, arguments = head(name)
     first_names = {member.name for member in item.members[:1] if isinstance(member, Name)}
-    if {function, *first_names} & known.paper.functions_by_name.keys():
+    if {function, *first_names} & known.functions.keys():
         return False  # it may be any function, and what is said of one names no value
     if function == BRACKET or (function == PI and item.members[0] != Name(PI)):
         return False

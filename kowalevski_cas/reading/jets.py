@@ -37,7 +37,7 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
     if not isinstance(first, Name) or item.derives or not is_of_case(item.before):
         return None
     name = first.name
-    every = known.paper.functions_by_name.get(name, ())
+    every = known.functions.get(name, ())
     by = [{*one.by, *known.names.scalars(one.by)} for one in every if one.name == name]
     if by and not any({*known.varying(item.members[1].names())} <= one for one in by):
         return None
@@ -50,7 +50,7 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
 
 def _is_of_law(name: str, item: SourceStatement, known: Known) -> bool:
     """Whether a law before a statement has partial derivatives of a function, and of no energy."""
-    any_function = name in known.paper.functions_by_name
+    any_function = name in known.functions
     if (name in (*HAMILTONIANS, *LAGRANGIANS) and not any_function) or known.is_defined(name):
         return False
     rows = [row for law in known.laws for row in law.rows if row.order < item.order]
@@ -64,7 +64,7 @@ def gives_derivative(item: SourceStatement, known: Known) -> StatementRole | Non
         return None
     if not isinstance(first, Name) or not first.name.endswith("'"):
         return None
-    for one in known.paper.functions_by_name.get(first.name, ()):
+    for one in known.functions.get(first.name, ()):
         new = known.seen.keys().isdisjoint(names_of((one,)))
         if new and names_of((one,)).isdisjoint(item.members[1].names()):
             why = f"gives the derivative of the function {one.name}"

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation import Name, NotationError, Number, Power, Quotient
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cases import is_told_apart, named_case, proves
 from kowalevski_cas.reading.clauses import Clauses
@@ -123,6 +124,16 @@ class Known:
         return found
 
     @cached_property
+    def functions(self) -> dict[str, list[Unknown]]:
+        """The functions of which nothing gives the values, by the names of these and derivatives.
+
+        What is called a function of the time for a later system only is a constant here.
+        """
+        end = max((item.typed.end for item in self.items), default=0)
+        since, every = self.paper.told_since, self.paper.functions_by_name
+        return {name: own for name, own in every.items() if since.get(name, 0) <= end}
+
+    @cached_property
     def special_numbers(self) -> list[SourceStatement]:
         """The statements that give a number to a letter that counts."""
         return [
@@ -216,7 +227,7 @@ class Known:
             whole = self.names.whole(one)
             by = self.definitions.get(one) or self.definitions.get(whole) or self.later.get(one, [])
             waiting += [other for item in by for other in item.names]
-            waiting += [x for own in self.paper.functions_by_name.get(one, ()) for x in own.by]
+            waiting += [x for own in self.functions.get(one, ()) for x in own.by]
         return found
 
     def is_explained(self, name: str) -> bool:

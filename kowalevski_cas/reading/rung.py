@@ -67,7 +67,7 @@ class RungMaker:
     def _is_needed(self, assumption: SourceStatement) -> bool:
         """Whether it gives a function of which nothing says on what it depends else."""
         role = self.known.roles[assumption]
-        any_values = self.known.paper.functions_by_name
+        any_values = self.known.functions
         return role.kind.startswith(FUNCTION) and any_values.keys().isdisjoint(role.names)
 
     def rung(

@@ -215,7 +215,7 @@ class Stage:
 
     def _beside(self, name: str, moving: Collection[str]) -> Iterator[str]:
         """What a value of a free function needs: the function, arguments, defined derivatives."""
-        every = self.known.paper.functions_by_name.get(name, [])
+        every = self.known.functions.get(name, [])
         for one in [one for one in every if {*one.by} <= {*moving, TIME}] or every:
             known = (other for other in names_of((one,)) if self.known.is_defined(other))
             yield from (one.name, *one.by, *known)
@@ -278,7 +278,7 @@ class Stage:
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
         for name in known.names.scalars(name for item in items for name in item.rates):
-            given = known.is_defined(name) or name in known.paper.functions_by_name
+            given = known.is_defined(name) or name in known.functions
             if given and (law is not None or "t" in known.below(name)):
                 continue
             if law is None or name not in law.variables:
@@ -382,7 +382,7 @@ class Stage:
         """
         at = {*closure.variables, *closure.definitions, TIME}
         for name in sorted(closure.names):
-            every = self.known.paper.functions_by_name.get(name, [])
+            every = self.known.functions.get(name, [])
             own = [one for one in every if {*one.by} <= at] or every
             yield from (one for one in own if one.name == name and name not in closure.definitions)
 

@@ -29,7 +29,12 @@ from kowalevski_cas.reading.derivations import with_derivations
 from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.ellipses import without_ellipses
 from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
-from kowalevski_cas.reading.free_functions import free_functions, names_of, with_names_alone
+from kowalevski_cas.reading.free_functions import (
+    free_functions,
+    names_of,
+    told_since,
+    with_names_alone,
+)
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.named_sets import without_set_names
@@ -190,6 +195,8 @@ class SourcePaper:
     """The letters that count, each with the number for which the paper is read."""
     counted: frozenset[int] = frozenset()
     """The offsets of the formulas that are read for these numbers."""
+    told_since: Mapping[str, int] = field(default_factory=dict)
+    """Where the section begins that first makes a name a function of the time, by the names."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -315,6 +322,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
     functions = free_functions(printed, expanded.text)
+    since = told_since(functions, printed, expanded.text)
     printed = [*with_names_alone(printed, functions)]
     moving = moving_names(printed)
     along = [*with_orbits([*with_reach(printed, moving)], moving)]
@@ -374,7 +382,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
         {formula.start: name for formula, name in named if name}, functions, orbits,
-        numbers, frozenset(several),
+        numbers, frozenset(several), since,
     )  # fmt: skip
 
 

@@ -314,8 +314,9 @@ def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:
 
 _ON_PLACE = re.compile(
     r"(?:^|[.;,]|\b(?:and|but|that|и|а))\s*(?:on|на)\s+(?:(?:the|this|each|every)\s+)?(?:\w+\s+)?"
-    r"(?:plane|line|axis|surface|curve|circle|sphere|cone|cylinder|ellipsoid|hyperplane"
-    r"|плоскост|прям|ос|поверхност|крив|окружност|сфер|конус|цилиндр)\w*[\s,~]*$",
+    r"(?:plane|line|axis|surface|curve|circle|sphere|cone|cylinder|ellipsoid|hyperplane|level|separatri"
+    r"|плоскост|прям|ос|поверхност|крив|окружност|сфер|конус|цилиндр|уровн|сепаратрис)\w*"
+    r"(?:[\s,]*\b(?:where|on\s+which|(?:given|defined)\s+by|где|на\s+котор\w+))?[\s,~]*$",
     re.IGNORECASE,
 )
 """How words end behind which stands the equation of a place where their clause holds."""
@@ -342,6 +343,8 @@ def on_place(item: SourceStatement, known: Known) -> StatementRole | None:
     varying = known.varying(item.names)
     if not varying or not (said := _ON_PLACE.search(item.before)):
         return None
+    if cue("level", said[0]) and not all(known.varying(one.names()) for one in item.members):
+        return None  # the level of one function: how far that reaches the words tell
     becomes = _BECOMES.match(item.tail)
     if "§" in said[0] or not (becomes or _SAYS_THERE.match(item.tail)):
         return None
@@ -350,14 +353,28 @@ def on_place(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(ASSUMPTION, words, reach, tuple(varying))
 
 
+_OF_THESE = re.compile(
+    r"\b(?:if|when|whenever|for|suppos\w+|assum\w+|если|когда|при|предположим|допустим)"
+    r"(?:,?\s+(?:that|что))?[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which it is said of which motions they speak."""
+
+
 def value(item: SourceStatement, known: Known) -> StatementRole | None:
-    r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
+    r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`, or that two agree.
+
+    That is said of the motions of which words speak, and of no others.
+    """
     said = supposing(item)
     if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
         return None
     left, right = item.members
     if set_right_before(item, known):
         return None  # it is said of the set
-    if is_number([right]) and known.varying(left.names()) and not cue("invariant", item.words):
+    two = known.varying(right.names()) and bool(_OF_THESE.search(item.lead))
+    if not (is_number([right]) or two) or cue("invariant", item.words):
+        return None
+    if known.varying(left.names()):
         return StatementRole(ASSUMPTION, f"“{said}” supposes it of what moves", reach(item))
     return None

@@ -12,6 +12,9 @@ WELL = r"The system is \[ \dot u=v,\qquad\dot v=u-u^3-kv .\] "
 ROD = r"The equation of motion is \[ \ddot s=s-s^3 .\] "
 HOOP = r"""The equation is \[ \ddot\chi=n^2\sin\chi\cos\chi-k\sin\chi .\] It rests at the angle $\chi_0$ with
 \[ \cos\chi_0=\frac k{n^2} .\] """
+BODY = (
+    r"""The body turns by \[ A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq .\] """
+)
 SPRING = r"The equation is \[ \ddot u=-bu+cu^3 .\] "
 TRUE = [
     (PREY + r"Near the equilibrium put $x=\frac cd+p$, $y=\frac ab+q$. In the linear approximation",
@@ -35,6 +38,8 @@ TRUE = [
     (HOOP + r"Put $\chi=a+\xi$ and neglect the squares of $\xi$,",
      r"\ddot\xi=n^2\sin a\cos a-k\sin a+(n^2\cos 2a-k\cos a)\xi",
      r"\ddot\xi=n^2\sin a\cos a-k\sin a+(n^2\cos 2a+k\cos a)\xi"),
+    (BODY + r"It turns with $p=n$, $q=r=0$. Writing $p=n+\xi$ and keeping only the linear terms we have",
+     r"B\dot q=(C-A)nr", r"B\dot q=(A-C)nr"),
     (SPRING + r"There is equilibrium at $u=a$ with \[ a^2=\frac bc .\] We put $u=a+\xi$ and linearize,",
      r"\ddot\xi=2b\xi", r"\ddot\xi=3b\xi"),
 ]  # fmt: skip

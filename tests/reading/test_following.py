@@ -586,3 +586,15 @@ def test_a_step_beside_equations_that_leave_out_terms_is_looked_at():
     Put back into the equation it gives
     \[ \ddot{\mathbf r} = \mathbf g\,\boldsymbol\omega\times\mathbf gt + O(\omega^2) . \]"""
     assert not [one for one in found(text) if one.follows]
+
+
+WEAK = r"""The masses move by \[ m\ddot x=-kx-c(x-y),\qquad m\ddot y=-ky+c(x-y) . \]
+\section{Frequencies} The frequencies are \[ \omega_1=\sqrt{\frac km},\qquad \omega_2=\sqrt{\frac km+\frac{2c}m} . \]
+\section{Beats} For a weak coupling we have approximately \[ \omega_2-\omega_1\approx%s . \]"""
+
+
+def test_an_expansion_follows_from_what_another_section_gives():
+    *_, right = audited(WEAK % r"\frac{c}{\sqrt{km}}").formulas
+    assert right.verdict != "undecided"
+    *_, wrong = audited(WEAK % r"\frac{c}{2\sqrt{km}}").formulas
+    assert wrong.verdict == "undecided" and r"\frac{c}{\sqrt{km}}" in wrong.message

@@ -2,7 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.reading import CLAIM
 from kowalevski_cas.verify.outcome import Verdict
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 
 LINE = r"""A particle moves in the potential $U(x)$ by $$\ddot x=-U'(x).$$ """
@@ -211,3 +213,24 @@ def test_a_letter_that_depends_on_the_time_has_a_rate(rate, green):
         r"Let $\ddot x=-k^2x$, where $k$ depends on time, and $E=\frac12(\dot x^2+k^2x^2)$. Then "
     )
     assert [v.green for v in verdicts(rf"{text}$\dot E={rate}$.").values()] == [green]
+
+
+FIRST = (
+    r"""\section{Constant} Let $\ddot x=-k^2x$. The function $\dot x^2+k^2x^2$ is an integral. """
+)
+SECOND = r"""\section{Variable} %s let $x$ and $y$ satisfy \[ \ddot x+k^2(t)x=0,\qquad \ddot y+k^2(t)y=0. \]
+The function $x\dot y-y\dot x$ is an integral. The function $\dot x^2+k^2x^2$ is a first integral.
+"""
+
+
+@pytest.mark.parametrize(
+    "said", ["With an arbitrary function $k(t)$", r"Let $k$ depend on the time and", "With $k(t)$"]
+)
+def test_a_letter_that_a_later_system_makes_a_function_was_a_constant_before(said):
+    claims = [one for one in audited(FIRST + SECOND % said).formulas if one.role == CLAIM]
+    assert [one.verdict in ("proved", "conditional") for one in claims] == [True, True, False]
+
+
+def test_what_varies_by_words_of_the_same_system_varies_everywhere():
+    later = r"\section{Remark} The stiffness $k$ varies with time."
+    assert [one.green for one in verdicts(FIRST + later).values()] == [False]

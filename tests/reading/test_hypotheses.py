@@ -82,3 +82,28 @@ def test_behind_a_condition_that_is_cited_stands_what_holds_under_it(said, rate,
 def test_words_that_contain_another_one_deny_nothing():
     text = r"Движение есть $$\dot x=y,\quad \dot y=-x.$$ После несложных преобразований $\dot x^2=y^2$."
     assert [one.green for one in verdicts(text).values()] == [True]
+
+
+TOP = r"""The body moves by \[ A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq . \]
+It has the integrals \[ 2T=Ap^2+Bq^2+Cr^2,\qquad G^2=A^2p^2+B^2q^2+C^2r^2 . \] """
+ON_LEVEL = [
+    "On the level $G^2=2BT$ we have", "For $G^2=2BT$ we have", "On the separatrices, where $G^2=2BT$, we have",
+    "If $G^2=2BT$, then", "On the level $G^2=2BT$ the motion is simple: on it",
+    "On the surface $G^2=2BT$ the motion is simple. On this surface",
+    "На уровне $G^2=2BT$ имеем", "При $G^2=2BT$ имеем",
+]  # fmt: skip
+ELSEWHERE = ["For $G^2=2BT$ the motion is simple. In all cases", "For $G^2=2AT$ we have"]
+
+
+@pytest.mark.parametrize("words", sampled(ON_LEVEL, 4))
+def test_that_two_integrals_are_tied_is_supposed_and_not_claimed(words):
+    found = verdicts(rf"{TOP}{words} \[ A(A-B)p^2=C(B-C)r^2 .\]")
+    assert "G^2=2BT" not in found and found["A(A-B)p^2=C(B-C)r^2"].green
+    found = verdicts(rf"{TOP}{words} \[ A(A-B)p^2=C(B+C)r^2 .\]")
+    assert not found["A(A-B)p^2=C(B+C)r^2"].green
+
+
+@pytest.mark.parametrize("words", ELSEWHERE)
+def test_elsewhere_they_are_not_tied(words):
+    found = verdicts(rf"{TOP}{words} \[ A(A-B)p^2=C(B-C)r^2 .\]")
+    assert not found["A(A-B)p^2=C(B-C)r^2"].green
