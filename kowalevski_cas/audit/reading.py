@@ -163,17 +163,28 @@ class ReadingSession:
                 found[id] = outcome._replace(message=OF_A_PLACE)
 
     def _spare_constants(self, found: dict[str, Outcome]) -> None:
-        r"""Leave open what is constant by itself for some values of its indices only.
+        r"""Leave open what is constant by itself, where more is said than that it is constant.
 
-        So it is with the integrals :math:`\operatorname{tr}L^k` of a matrix without a trace.
+        For some values of its indices only, as the integrals :math:`\operatorname{tr}L^k` of a
+        matrix without a trace; or that it has the value of a constant that was known before.
         """
         green = {self._printed(id) for id, outcome in found.items() if outcome.verdict.green}
         for id, outcome in found.items():
-            if outcome.message == CONSTANT and self._printed(id) in green:
+            said = "for these values of indices" if self._printed(id) in green else ""
+            said = said or ("a known value is printed, and" if self._has_known_value(id) else "")
+            if outcome.message == CONSTANT and said:
                 found[id] = outcome._replace(
-                    verdict=Verdict.UNDECIDED, message=f"for these values of indices {CONSTANT}",
+                    verdict=Verdict.UNDECIDED, message=f"{said} {CONSTANT}",
                     certificate="", divided=(), correction=None, alternatives=(),
                 )  # fmt: skip
+
+    def _has_known_value(self, id: str) -> bool:
+        """Whether the statement of a claim gives what moves a value by constants seen before."""
+        item = self.claiming[id].item
+        known = self.reading.parts.of(item)
+        values = [one.names() for one in item.members if not known.varying(one.names())]
+        seen = {name for name, first in known.seen.items() if first.order < item.order}
+        return any(names and names <= seen for names in values)
 
     def _printed(self, id: str) -> tuple[int, tuple[int, int]]:
         """Where the statement is printed that makes a claim, for all values of its indices."""

@@ -14,7 +14,7 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.reading.rung import Rung
-from kowalevski_cas.verify.corrections import fails_at_points, holds_at_points
+from kowalevski_cas.verify.corrections import fails_at_points
 from kowalevski_cas.verify.statement import Statement
 
 SECONDS = 2.0
@@ -108,7 +108,7 @@ def _trial(rung: Rung, on: Elaborations, alone: bool) -> tuple[bool, str]:
     try:
         with time_limit(SECONDS):
             statement = Statement(rung.claim, on)
-            if (alone and statement.goals) or (_may_hold(rung, on) and statement.holds()):
+            if (alone and statement.goals) or statement.holds():
                 if _is_unmoved(rung, on):
                     return False, UNMOVED
                 idle = rung.idle is not None and Statement(rung.idle, on).holds()
@@ -127,13 +127,6 @@ def may_hold(rung: Rung, on: Elaborations) -> bool:
     """Whether a claim holds, or is not decided in time and fails nowhere where it was tried."""
     true, trouble = _trial(rung, on, alone=False)
     return true or trouble == OVERDUE
-
-
-def _may_hold(rung: Rung, on: Elaborations) -> bool:
-    """Whether a claim fails at none of a few points: else no proof is sought."""
-    with suppress(ZeroDivisionError):
-        return holds_at_points(Neighbour("", rung.claim, on.texts), on, {}) is not False
-    return True
 
 
 def _fails_at_points(rung: Rung, on: Elaborations) -> bool:

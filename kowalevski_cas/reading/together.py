@@ -49,6 +49,7 @@ def find_together(law: Law, items: Sequence[SourceStatement], paper: SourcePaper
         if (
             said
             and len(new) == len(giving)
+            and not all(_is_change(one, law) for one in giving)
             and (named.issuperset(new) or _are_coordinates(giving[-1], paper))
         ):
             rows = tuple(_row(one, paper) for one in giving)
@@ -81,6 +82,15 @@ def _gives(item: SourceStatement, law: Law, seen: set[str]) -> bool:
     brackets = any(isinstance(node, PoissonBracket) for node in item.formula.nodes())
     vectors = item.names & {*law.names.vectors}
     return bool(new and old) and not (new & alone or brackets or vectors)
+
+
+def _is_change(item: SourceStatement, law: Law) -> bool:
+    """Whether a statement gives a variable of a law by other names: so it is put in new ones."""
+    moving = {*law.variables}
+    match item.members:
+        case (Name(name), right):
+            return name in moving and {*law.names.scalars(right.names())}.isdisjoint(moving)
+    return False
 
 
 def _row(item: SourceStatement, paper: SourcePaper) -> SourceStatement:

@@ -151,34 +151,19 @@ def _screen_neighbours(neighbours: Iterable[Neighbour], on: Elaborations) -> Ite
 def passes(
     neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled | None]
 ) -> bool | None:
-    """As ``holds_at_points``, but what has no meaning does not pass."""
-    try:
-        return holds_at_points(neighbour, on, stages)
-    except (NotationError, Meaningless, ZeroDivisionError):
-        return False
-
-
-def holds_at_points(
-    neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled | None]
-) -> bool | None:
     """Whether all identities hold at points; ``None`` if there are other goals, or no points.
 
     Given equations that give names by others are put in; where they say more no point is tried.
     ``stages`` are the settings that were evaluated there already.
-
-    Raises:
-        NotationError: the claim cannot be read.
-        Meaningless: it has no meaning.
-        ZeroDivisionError: a denominator vanishes where it is evaluated.
     """
     # a recorded correction is only looked up
     from kowalevski_cas.problem.sampled import Sampled, solved_equations
 
-    claim = neighbour.claim
-    goals = list(claim.goals(claim.settings(on.under(neighbour.texts))))
-    identities = [goal for goal in goals if _is_identity(goal)]
-    told = 0
-    with suppress(NoPoint):  # as modulo a prime where a printed root of a number has no residue
+    try:
+        claim = neighbour.claim
+        goals = list(claim.goals(claim.settings(on.under(neighbour.texts))))
+        identities = [goal for goal in goals if _is_identity(goal)]
+        told = 0
         for goal in identities:
             key = goal.space, goal.given
             if key not in stages:
@@ -194,8 +179,11 @@ def holds_at_points(
                 d.is_zero for equation in equations for d in _differences(at, goal, equation)
             ):
                 return False
-        return True if told == len(goals) else None
-    return None
+    except (NotationError, Meaningless, ZeroDivisionError):
+        return False
+    except NoPoint:  # as modulo a prime where a printed root of a number has no residue
+        return None
+    return True if told == len(goals) else None
 
 
 def _differences(at: Sampled, goal: Follows, equation: Equation) -> Sequence[Element]:

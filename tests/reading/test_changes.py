@@ -131,3 +131,24 @@ def test_new_variables_of_a_hamiltonian(words, claim, wrong):
     assert verdicts(rf"{ROTATOR}{words} \[ {claim} . \]")[claim].green
     found = verdicts(rf"{ROTATOR}{words} \[ {wrong} . \]").get(wrong)
     assert found is None or not found.green
+
+
+PARABOLIC = r"""The motion is \[ \ddot x=-\frac{\mu x}{r^3},\qquad \ddot y=-\frac{\mu y}{r^3}, \] where $r=\sqrt{x^2+y^2}$. With
+\[ h=\tfrac12(\dot x^2+\dot y^2)-\frac\mu r \] we introduce new coordinates $u$, $v$ and a new time $s$ by
+\[ x=u^2-v^2,\qquad y=2uv,\qquad dt=r\,ds . \] A prime is the derivative by $s$. """
+
+
+@pytest.mark.parametrize(
+    "words", ["From the integral of energy we have", "Then", "Therefore the energy gives"]
+)
+def test_a_change_may_stand_beside_another_time(words):
+    right, wrong = r"2(u'^2+v'^2)-h(u^2+v^2)=\mu", r"2(u'^2+v'^2)-h(u^2-v^2)=\mu"
+    assert verdicts(rf"{PARABOLIC}{words} \[ {right} .\]")[right].green
+    assert not verdicts(rf"{PARABOLIC}{words} \[ {wrong} .\]")[wrong].green
+
+
+def test_what_is_constant_by_itself_and_has_a_known_value_may_be_no_integral_but_an_identity():
+    text = r"The motion is \[ \dot x=ay,\qquad \dot y=-ax .\] The integral is \[ %s .\]"
+    known, new = "x^2+(b-x)(b+x)=a^2", "x^2+(a-x)(a+x)=c"
+    assert verdicts(text % known)[known] == Verdict.UNDECIDED
+    assert verdicts(text % new)[new] == Verdict.REFUTED

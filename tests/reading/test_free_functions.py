@@ -215,9 +215,7 @@ def test_a_letter_that_depends_on_the_time_has_a_rate(rate, green):
     assert [v.green for v in verdicts(rf"{text}$\dot E={rate}$.").values()] == [green]
 
 
-FIRST = (
-    r"""\section{Constant} The motion is \[ \ddot x=-k^2x. \] The function $\dot x^2+k^2x^2$ is an integral. """
-)
+FIRST = r"""\section{Constant} The motion is \[ \ddot x=-k^2x. \] The function $\dot x^2+k^2x^2$ is an integral. """
 SECOND = r"""\section{Variable} %s let $x$ and $y$ satisfy \[ \ddot x+k^2(t)x=0,\qquad \ddot y+k^2(t)y=0. \]
 The function $x\dot y-y\dot x$ is an integral. The function $\dot x^2+k^2x^2$ is a first integral.
 """
