@@ -45,7 +45,8 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     levels = levels_in(found, at.item, at.known)
     found = found._replace(rows=tuple(dict.fromkeys((*found.rows, *levels.values()))))
     every = [found, *(_solved(at, one, beside) for one in beside if one is not at.item)]
-    lack = lacking(every, law, at.known, levels)
+    fixed = {name for one in every for name in levels_in(one, at.item, at.known)}
+    lack = lacking(every, law, at.known, fixed)
     begun = _beginnings(at, law, found.given)
     of_all = ALL.search(at.item.before) or (not any(begun) and _is_said_of_all(at.item))
     if lack and of_all:

@@ -28,7 +28,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
-from kowalevski_cas.reading.known import CLAIM, DEFINITION, Known, StatementRole
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, LEVEL, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
@@ -106,7 +106,9 @@ def levels_in(
     return {
         name: one
         for name, one in by.items()
-        if one is not None and known.roles[one].kind == "integral" and solved & {*known.below(name)}
+        if one is not None
+        and (known.roles[one].kind == "integral" or known.roles[one].name == LEVEL)
+        and solved & {*known.below(name)}
     }
 
 

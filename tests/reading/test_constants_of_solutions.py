@@ -65,3 +65,24 @@ def test_each_solution_has_its_own_constants():
     assert {*verdicts(text + other).values()} <= {*GREEN}
     other = r"\section{Growth} Another one is $q=Be^{wt}$, where $w^2=c$."
     assert verdicts(text + other)[r"q=Be^{wt}"] == "UNDECIDED"
+
+
+DRIFT = r"""The motion is \[ \ddot x-2\dot y=3x,\qquad \ddot y+2\dot x=0 .\] The second equation gives $\dot y+2x=c$
+with a constant $c$, and the general solution is \[ x=%s+a\cos(t+b),\qquad y=%s-3ct-2a\sin(t+b) .\]"""
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "green"), [("2c", "d", True), ("c", "d", False), ("2c", "c", False)]
+)
+def test_a_value_that_words_name_may_be_a_constant_of_the_general_solution(x, y, green):
+    found = verdicts(DRIFT % (x, y))
+    solved = [found.get(rf"x={x}+a\cos(t+b)"), found.get(rf"y={y}-3ct-2a\sin(t+b)")]
+    assert [one in GREEN for one in solved] == [green] * 2
+
+
+def test_a_rate_that_words_name_is_a_constant_of_all_that_is_solved_together():
+    text = r"""The motion is \[ \ddot x=-kx,\qquad\ddot y=0. \] Hence $\dot y=c$ with a constant $c$, and the
+    general solution is \[ x=a\cos(\sqrt kt+b),\qquad y=%s. \]"""
+    assert verdicts(text % "ct+d")[r"x=a\cos(\sqrt kt+b)"] in GREEN
+    assert verdicts(text % "ct").get(r"x=a\cos(\sqrt kt+b)") not in GREEN
+    assert verdicts(text % "2ct+d").get("y=2ct+d") not in GREEN
