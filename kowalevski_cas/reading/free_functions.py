@@ -164,13 +164,16 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
     """The names at the time in a formula by itself: these are functions, and no products.
 
     They stand in equations for something else, too: at the time, if they are not said to be given.
+    Where no words call them functions nothing is printed that gives them.
     """
     found: dict[str, bool] = {}
+    given = {name for one in formulas for name in _given(_apart(one.tex))}
     for formula in formulas:
         match = APPLIED.fullmatch(formula.tex.strip())
         if match and match["by"] == TIME:
-            said = _OF_TIME.match(text, formula.end)
-            found[match["name"].replace(" ", "")] = bool(said and _GIVEN.search(said[0]))
+            name, said = match["name"].replace(" ", ""), _OF_TIME.match(text, formula.end)
+            if said or name not in given:
+                found[name] = bool(said and _GIVEN.search(said[0]))
     rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
     moved = {*_moved(rows)}
     return {
