@@ -295,6 +295,11 @@ CUES: dict[str, str] = {
         \bdamping\b \bdrag\b \brelaxation\b теперь\s+рассмотр\w+
         рассмотрим\s+(?:теперь|также) друг\w+\s+(?:систем|задач|пример)\w+
         приведенн\w+ полярн\w+ добав\w+ трени(?:е|я|ем)\b""",
+    "averaged": r"""
+        (?<!\bwithout\s)(?<!\bbefore\s)\baveraging\b \bslow[\s-]+flow\b
+        \baveraged\s+(?:\w+\s+){0,2}(?:equations?|systems?|models?|problems?|dynamics|flow|motion)\b
+        (?<!\bбез\s)(?<!\bдо\s)\bусреднени\w+ \bусредн(?:яя|ив)\b
+        \bусредн[её]нн\w+\s+(?:\w+\s+)?(?:уравнени|систем|задач|движени)\w+""",
     "ideal case": r"""
         \bwithout\b \babsence\b \babsent\b \bun(?:damped|forced|driven|perturbed)\b \bconservative\b
         \blinear\s+(?:oscillator|pendulum|system|case|problem) \bfree\s+(?:of|from)\b

@@ -102,6 +102,7 @@ def doubt_of(
         or _has_momentum(rung, known)
         or _is_in_coordinates_of_words(rung, known)
         or any(map(has_more_rows, known.laws))
+        or parts.is_averaged(item)
     ):
         return Doubt.ALWAYS
     linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)

@@ -17,6 +17,8 @@ class Law:
 
     items: tuple[SourceStatement, ...]
     names: Names
+    is_averaged: bool = False
+    """Whether words call it the average of a law: what it says is close to what that says."""
     base: Law | None = None
     """The law of the names on its right sides, if it is another one."""
     restates: Law | None = None

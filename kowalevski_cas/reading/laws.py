@@ -12,9 +12,9 @@ from kowalevski_cas.reading.free_brackets import free_brackets
 from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.other_systems import other_system
+from kowalevski_cas.reading.other_systems import averaged_system, other_system
 from kowalevski_cas.reading.polar import coordinates_in_words, radius_of
-from kowalevski_cas.reading.printed_rates import PrintedRates
+from kowalevski_cas.reading.printed_rates import PrintedRates, is_averaged
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, derived_names
@@ -123,7 +123,8 @@ class _LawFinder(PrintedRates):
                 continue
             last = max((k for k, law in enumerate(found) if law.begins is not None), default=0)
             part = found[last:]
-            if any({*self.scalars(item)} <= {*one.new} for one in self.changes(part, item)):
+            changed = any({*self.scalars(item)} <= {*one.new} for one in self.changes(part, item))
+            if changed and not is_averaged(item):
                 continue
             law = self.other(item, part) if found else self.first(item)
             if law is None:
@@ -183,7 +184,8 @@ class _LawFinder(PrintedRates):
         if not (self._may_set_up(item) or beside):
             return None
         if not beside and item not in (*self.said.rows, *self.solutions):
-            if law := replaced_law(item, part, self.paper) or other_system(self, item, part):
+            law = replaced_law(item, part, self.paper) or averaged_system(self, item)
+            if law := law or other_system(self, item, part):
                 return law
         since = part[0].begins or self.paper.prose.start
         moving = {name for law in part for name in law.variables}

@@ -144,15 +144,17 @@ class OtherCases:
     def _approximate(self, item: SourceStatement, start: int) -> list[SourceStatement]:
         """The last equation before a place that holds approximately, if words speak of its motions.
 
-        It stands in the paragraph, or alone in the section.
+        It stands in the paragraph, or alone in the section, and is no law by itself.
         """
         if not _OF_THIS.search(item.before):
             return []
+        laws = self.parts.of(item).laws
         before = [
             one
             for one in self.parts.paper.approximate
             if one.derives and one.typed.start < start and one.section is item.section
-        ]
+            and not any(one in law.items for law in laws)
+        ]  # fmt: skip
         return [max(before, key=lambda one: one.order)] if before else []
 
     def _reaches(self, row: SourceStatement, start: int) -> bool:

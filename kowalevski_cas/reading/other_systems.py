@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.printed_rates import PrintedRates
+from kowalevski_cas.reading.printed_rates import PrintedRates, is_averaged
 from kowalevski_cas.reading.statements import SourceStatement
 
 _FOLLOWS = re.compile(
@@ -68,6 +68,21 @@ def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]
     between = [one for one in rates.paper.items if begins <= one.typed.start < item.typed.start]
     speaks = any({*rates.names.scalars(one.names)} & old - rated for one in between)
     law.begins = item.sentence[0] if speaks else begins
+    return law
+
+
+def averaged_system(rates: PrintedRates, item: SourceStatement) -> Law | None:
+    """A set that is closed by itself and that words call the average of equations before it.
+
+    It has letters for means, even where these are the letters of what moved before.
+    """
+    if not is_averaged(item):
+        return None
+    begins, end = item.sentence[0], item.section.end
+    rows = [row for row in rates.undefined(begins) if begins <= row.typed.start < end]
+    law = rates.grown(item, (), rows) if item in rows else None
+    if law is not None:
+        law.begins, law.is_averaged = begins, True
     return law
 
 

@@ -70,6 +70,7 @@ class Parts:
                 self.begins = sorted([*self.begins, (stop, place)])
         placed: list[list[SourceStatement]] = [[] for _ in own]
         self.places = {item: self._place(item) for item in paper.items}
+        self.places |= dict(self._of_what_is_averaged(own))
         for item, place in self.places.items():
             placed[place].append(item)
         self.known = [
@@ -96,6 +97,31 @@ class Parts:
         found = {self.part_at(law.first.typed.start) for law in self.laws if cited & law.printed}
         is_row = any(item in law.printed for law in self.laws)
         return found.pop() if len(found) == 1 and not is_row else here
+
+    def _of_what_is_averaged(
+        self, own: Sequence[Sequence[Law]]
+    ) -> Iterator[tuple[SourceStatement, int]]:
+        """The statements behind averaged equations that are of the part before, which it has.
+
+        Their sentences derive what moves there, and have nothing that the averaged equations move.
+        """
+        moving = [{name for law in laws for name in law.variables} for laws in own]
+        by_sentence: dict[tuple[int, int], list[SourceStatement]] = {}
+        for item, place in self.places.items():
+            if own[place] and own[place][0].is_averaged:
+                by_sentence.setdefault(item.sentence, []).append(item)
+        for items in by_sentence.values():
+            place = self.places[items[0]]
+            named = {name for item in items for name in item.names}
+            derived = {name for item in items for name in item.rates}
+            if derived & moving[place - 1] and not named & moving[place]:
+                yield from ((item, place - 1) for item in items)
+
+    def is_averaged(self, item: SourceStatement) -> bool:
+        """Whether a statement stands where averaged equations are spoken of, and cites nothing."""
+        here = self.known[self.part_at(item.typed.start)]
+        places = [self.of(item)] if item.refs else [self.of(item), here]
+        return any(law.is_averaged for known in places for law in known.laws)
 
     def part_at(self, offset: int) -> int:
         """The number of the part in which a place of the text is."""

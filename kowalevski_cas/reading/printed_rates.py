@@ -82,6 +82,11 @@ _MOVES = re.compile(
 """Words for how a body moves."""
 
 
+def is_averaged(item: SourceStatement) -> bool:
+    """Whether the words before an equation say that it is the average of others."""
+    return bool(cue("averaged", item.before)) and not cue("denied", item.before)
+
+
 class PrintedRates:
     """The equations with rates of a paper, and which of them belong together."""
 
@@ -166,7 +171,8 @@ class PrintedRates:
             return verb == "law" and bool(item.rates)
         paper = self.paper
         free = paper.functions_by_name.keys() & item.rates.keys()
-        left = paper.approximate | paper.maps | paper.unfinished
+        left = paper.maps | paper.unfinished
+        left |= frozenset() if is_averaged(printed) else paper.approximate
         along = item.typed.start in paper.orbits
         return is_row(item) and not (free or along) and printed not in left
 
