@@ -176,8 +176,10 @@ def _multipliers(law: Law, known: Known) -> Iterator[str]:
     """The names in a law that may be multipliers: nothing gives them, or by what moves.
 
     Words may call another letter one, if only this stands in several equations of motion, or if
-    they stand right before it.
+    they stand right before it. A map has none.
     """
+    if law.images:
+        return
     called = {
         one.formula.name
         for one in known.items

@@ -20,6 +20,7 @@ from kowalevski_cas.paper.claims import (
     RestPoints,
     TraceOrDeterminant,
 )
+from kowalevski_cas.reading.fixed_points import FIXED, equations_of_fixed_point
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
@@ -56,7 +57,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import variable_of
 
 _OF_LINEAR_PART = (KIND, MATRIX, TRACE, DETERMINANT, FREQUENCY, CHARACTERISTIC)
-_OF_REST = (POINT, MARKED)
+_OF_REST = (POINT, MARKED, FIXED)
 OF_FIELD = (*_OF_LINEAR_PART, *_OF_REST, "divergence", "measure")
 """The kinds of the roles of what is claimed of the field."""
 
@@ -119,18 +120,29 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
 
 
 def _of_rest(at: RungMaker) -> Iterator[Rung]:
-    """That nothing moves at a point that is printed by its coordinates, or in marked letters."""
+    """That nothing moves at a point that is printed by its coordinates, or in marked letters.
+
+    A map does not move what a letter without its steps gives.
+    """
     item, known = at.item, at.known
-    law = law_of_points(item, known)
-    assert law is not None
+    if at.role.kind == FIXED:
+        law, point = equations_of_fixed_point(item, known)
+        says = "the map does not move this point"
+        yield at.rung(
+            RestPoints, says, at.supposed, (), point, law,
+            printed=item.printed, relations=places(point),
+        )  # fmt: skip
+        return
+    rest = law_of_points(item, known)
+    assert rest is not None
     says = "nothing moves at this point"
     for assumptions in at.ways():
         if at.role.kind == POINT:
-            yield at.rung(RestPoint, says, assumptions, (), (item, *law.rows))
+            yield at.rung(RestPoint, says, assumptions, (), (item, *rest.rows))
             continue
-        point = (*in_marked_letters(marked(item, law, known), item, known),)
+        point = tuple(in_marked_letters(marked(item, rest, known), item, known))
         yield at.rung(
-            RestPoints, says, assumptions, (), (*point, *law.rows),
+            RestPoints, says, assumptions, (), (*point, *rest.rows),
             printed=item.printed, relations=places(point),
         )  # fmt: skip
 

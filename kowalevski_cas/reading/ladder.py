@@ -34,6 +34,7 @@ from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisati
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
+from kowalevski_cas.reading.roots_in_words import OF_ROOTS, equation_of_roots
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage
@@ -76,8 +77,8 @@ class _Ladder(RungMaker):
                 yield from self.of_set()
             case kind if kind in OF_FIELD:
                 yield from of_field(self)
-            case "energy":
-                yield from self.of_energy()
+            case kind if kind in _BY_WORDS:
+                yield from _BY_WORDS[kind](self)
             case "solution":
                 yield from self.identities() if self._is_constant else ()
                 yield from solutions(self)
@@ -335,3 +336,16 @@ class _Ladder(RungMaker):
         for assumptions in self.suppositions():
             says = "this is the energy in these letters"
             yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
+
+    # -- roots -----------------------------------------------------------------------
+
+    def of_roots(self) -> Iterator[Rung]:
+        """That an equation for a letter holds for each of the roots that words name."""
+        by = equation_of_roots(self.item, self.known)
+        says = "this has the roots of which words speak"
+        own, given = (self.item, by), places([by])
+        yield self.rung(Implication, says, self.supposed, (), own, given=given)
+
+
+_BY_WORDS = {"energy": _Ladder.of_energy, OF_ROOTS: _Ladder.of_roots}
+"""What is claimed of what words name, by the kind of its role."""

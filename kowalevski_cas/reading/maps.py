@@ -61,11 +61,38 @@ def find_maps(paper: SourcePaper, names: Names, said: Said) -> list[Law]:
     finder = _MapFinder(paper, names, said)
     for item in finder.rows:
         known = {name for law in found for pair in law.images for name in pair}
-        if {*finder.images([item]).values()} <= known or _follows(item, finder, found):
-            continue
-        if (law := finder.grown(item)) is not None:
+        follows = {*finder.images([item]).values()} <= known or _follows(item, finder, found)
+        begins = _begins(item, found)
+        if (begins is not None or not follows) and (law := finder.grown(item)) is not None:
+            law.begins = begins
             found.append(law)
     return found
+
+
+_SETS_UP = re.compile(
+    r"\b(?:for|consider|take|study|turn\s+to|another|next|second|other|рассмотрим|возьм[её]м)\s[^§.;]*"
+    r"(?:\bmap(?:ping)?|отображени[ея])\b(?:\s+of\s+[^§.;,]{1,40})?(?:[\s,:~]|\b(?:given|defined|by)\b)*$"
+    r"|\bmap(?:ping)?(?:\s+of\s+[^§.;,]{1,40})?\s+(?:is|reads)\b[\s:]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which a map is printed."""
+_MADE = re.compile(
+    r"\b(?:inverse|iterat\w+|squared?|linear\w*|this|these|same|our|composition|power|reduced|becom\w+)\b"
+    r"|\b(?:обратн|линейн|линеариз|эт[оиу]|тот\s+же|наш)\w*",
+    re.IGNORECASE,
+)
+"""Words for a map that is made of one before, or is that."""
+
+
+def _begins(item: SourceStatement, maps: Sequence[Law]) -> int | None:
+    """Where the section begins in which words set up another map than those before, if they do."""
+    if not maps or item.refs or any(item in law.items for law in maps):
+        return None
+    before = {section for law in maps for section in law.first.sections}
+    apart = [section for section in item.sections if section not in before]
+    said = _SETS_UP.search(item.before) and not _MADE.search(item.before)
+    own = all(law.first.section not in item.sections for law in maps)
+    return apart[0].start if apart and own and said else None
 
 
 def _follows(item: SourceStatement, finder: _MapFinder, maps: Sequence[Law]) -> bool:

@@ -132,13 +132,15 @@ class Parts:
         """The sections that come back to an earlier part, with its number.
 
         Something is derived in them that moves by the laws of that part, and nothing that moves by
-        those of another.
+        those of another; or it is the image of what a map has there.
         """
         moving = [{name for law in laws for name in law.variables} for laws in own]
+        images = [{new for law in laws for _, new in law.images} for laws in own]
+        mapped = set[str]().union(*images)
         for section in dict.fromkeys(item.section for item in self.paper.items):
             within = (item for item in self.paper.items if item.section is section)
-            derived = {name for item in within for name in item.rates}
-            met = [k for k, names in enumerate(moving) if names & derived]
+            derived = {name for item in within for name in (*item.rates, *(item.names & mapped))}
+            met = [k for k, names in enumerate(moving) if (names | images[k]) & derived]
             if len(met) == 1 and met[0] < self.part_at(section.start):
                 yield section.start, met[0]
 

@@ -63,7 +63,7 @@ _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
 def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
     """A point where nothing moves, by words right before it or its list, or right behind."""
     law = law_of_points(item, known)
-    if law is None or not _says_rest(item):
+    if law is None or cue("map", item.words) or not says_rest(item):
         return None
     if coordinates(item, law, known):
         names = item.bare[:1]
@@ -87,10 +87,8 @@ def law_of_points(item: SourceStatement, known: Known) -> Law | None:
     return beside[-1] if beside and not beside[-1].change else laws[0]
 
 
-def _says_rest(item: SourceStatement) -> bool:
+def says_rest(item: SourceStatement) -> bool:
     """Whether words call the list of points, or of coordinates, in which a statement stands so."""
-    if cue("map", item.words):
-        return False
     before = _LIST_BEFORE.sub("", item.before)
     if said := _BEFORE.search(before):
         return not _NO.search(before, 0, said.start())
@@ -153,7 +151,7 @@ def marked(item: SourceStatement, law: Law, known: Known) -> dict[str, str]:
         if not isinstance(first, Name) or known.varying(one.names):
             continue
         for name in law.variables:
-            own = _mark(first.name, name)
+            own = mark_of(first.name, name)
             if own and (not mark or own == mark):
                 mark = own
                 found.setdefault(name, first.name)
@@ -166,11 +164,11 @@ def _is_marked_point(item: SourceStatement, law: Law) -> bool:
     names = [one.name for one in entries_of(item.members[0]) if isinstance(one, Name)]
     if len(names) != len(law.variables):
         return False
-    marks = {_mark(*two) for two in zip(names, law.variables, strict=True)}
+    marks = {mark_of(*two) for two in zip(names, law.variables, strict=True)}
     return len(marks) == 1 and "" not in marks
 
 
-def _mark(name: str, variable: str) -> str:
+def mark_of(name: str, variable: str) -> str:
     """What is printed at a letter beside that of what moves: a star, an index, an accent."""
     one, other = symbol(name), symbol(variable)
     if (one.letter, one.font) != (other.letter, other.font) or one == other:

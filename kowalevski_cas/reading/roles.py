@@ -25,6 +25,7 @@ from kowalevski_cas.reading.definitions import (
     unit,
 )
 from kowalevski_cas.reading.factors import roots
+from kowalevski_cas.reading.fixed_points import by_steps, fixed_point
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.idle import idle
 from kowalevski_cas.reading.index_ranges import is_range
@@ -66,6 +67,7 @@ from kowalevski_cas.reading.propositions import (
     zero_set,
 )
 from kowalevski_cas.reading.rest_points import rest_point
+from kowalevski_cas.reading.roots_in_words import roots_in_words
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.solved import solved
@@ -319,7 +321,10 @@ def other(item: SourceStatement, known: Known) -> StatementRole | None:
 
 def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is said of the flow and of its points of rest, unless it is denied, quoted or asked."""
-    rules = (divergence, measure, small_oscillation, trace_or_determinant, linear_part, rest_point)
+    rules: tuple[Rule, ...] = (
+        divergence, measure, small_oscillation, trace_or_determinant, linear_part, rest_point,
+        fixed_point,
+    )  # fmt: skip
     found = next((role for rule in rules if (role := rule(item, known))), None)
     return (unjudged(item, known) or found) if found else None
 
@@ -327,9 +332,10 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
     named_set, law, radius, solved, constraint, reaction, together, unit, bracket_of_momenta,
-    bracket, bracket_of_functions, unjudged, inequality, unknown, repeated, gives_derivative,
-    special_function, change, roots, claimed_set, point, tried, solution, constant_of_solution,
-    energy, of_place, on_place, definition, square, assumption, value, approximate, set_of_rates,
-    of_some_motions, rate, zero_set, level, integral, identity, other,
+    bracket, bracket_of_functions, unjudged, inequality, roots_in_words, unknown, repeated,
+    gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
+    solution, constant_of_solution, energy, of_place, on_place, definition, square, assumption,
+    value, approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity,
+    other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -77,4 +77,4 @@ class RestPoints(Claim):
             yield Follows(space, (relations,), (*rest, *still))
 
     def establishes(self) -> Iterator[Printed]:
-        yield from self.relations
+        yield from (self.printed,) if self.printed is not None else self.relations

@@ -97,7 +97,7 @@ class FixedPointsOfMap(OfMap):
         yield Follows(space, (tuple((Name(new), Name(x)) for x, new in self.images),), given)
 
     def establishes(self) -> Iterator[Printed]:
-        yield from self.relations
+        yield from (self.printed,) if self.printed is not None else self.relations
 
 
 OF_MAPS: dict[type[Claim], type[Claim]] = {

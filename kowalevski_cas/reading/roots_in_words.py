@@ -1,0 +1,53 @@
+r"""What words call the roots of an equation for a letter: “x and y are the roots of § = 0”."""
+
+from __future__ import annotations
+
+import re
+
+from kowalevski_cas.notation import Formula, Name, Number, times, to_latex
+from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.tried import variable_of
+from kowalevski_cas.reading.unprinted import unprinted
+
+OF_ROOTS = "roots in words"
+"""The kind of these claims."""
+_ARE_ROOTS = re.compile(
+    r"(?P<roots>§(?:[\s,~]*(?:\band|\bor|\bи)?[\s,~]*§)*)[\s,~]+(?:are|is|суть|являются)\s+(?:then\s+|both\s+)?"
+    r"(?:(?:the|an?|two|both)\s+)*(?:roots?|корн\w+)\s+(?:of\s+)?(?:(?:the|an?|one|same|\w+)\s+){0,4}?"
+    r"(?:equation|polynomial|trinomial|уравнения|многочлена)(?:\s+(?:in|for)\s+§)?[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which the equation is printed of which they name roots."""
+
+
+def roots_in_words(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation for a letter, of which words right before it name the roots."""
+    if len(item.members) == 2 and not item.derives and _roots(item, known):
+        return StatementRole(CLAIM, "the words before it name its roots", OF_ROOTS)
+    return None
+
+
+def equation_of_roots(item: SourceStatement, known: Known) -> SourceStatement:
+    """The equation that has these roots and no other ones, as a product of differences."""
+    letter = Name(variable_of(item, known))
+    product = times(*(minus((letter, root)) for root in _roots(item, known)))
+    tex = f"{to_latex(product)}={to_latex(Number(0))}"
+    return unprinted(
+        known.paper, f"roots-{item.order}", tex, item, "the roots of which words speak"
+    )
+
+
+def _roots(item: SourceStatement, known: Known) -> list[Formula]:
+    """The expressions that words call roots of an equation, if it has one letter of its own."""
+    found = _ARE_ROOTS.search(item.before)
+    if found is None or not variable_of(item, known):
+        return []
+    beside = [one for one in known.items if one.sentence == item.sentence]
+    typed = [*dict.fromkeys(one.typed.start for one in beside)]
+    first = item.before[: found.start("roots")].count("§")
+    starts = typed[first : first + found["roots"].count("§")]
+    named = [one for one in beside if one.typed.start in starts]
+    formulas = [one.formula for one in named if one.formula is not None and not one.members]
+    return formulas if len(formulas) == len(named) == len(starts) else []
