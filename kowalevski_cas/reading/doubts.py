@@ -15,6 +15,7 @@ from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.inertia import INERTIA
+from kowalevski_cas.reading.kept import kept_before
 from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import DETERMINANT, MATRIX, TRACE
@@ -103,6 +104,7 @@ def doubt_of(
         or _is_in_coordinates_of_words(rung, known)
         or any(map(has_more_rows, known.laws))
         or parts.is_averaged(item)
+        or kept_before(item, known)
     ):
         return Doubt.ALWAYS
     linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)

@@ -31,6 +31,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
 from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
+from kowalevski_cas.reading.kept import constancy
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
@@ -89,6 +90,7 @@ class _Ladder(RungMaker):
                 yield from map(stronger, (*self.values(), *along_solution(self)))
                 yield from of_motion(self)
         yield from self.of_unit_vectors()
+        yield from self.of_what_is_kept()
         yield from self.elsewhere()
 
     def of_all_functions(self, name: str) -> Rung:
@@ -99,6 +101,14 @@ class _Ladder(RungMaker):
         one = unprinted(self.known.paper, f"{self.id}-of-one", tex, self.item, "for one variable")
         says = "this is so for all functions"
         return self.rung(OfAllFunctions, says, self.supposed, items=(one,), law=law, of=name)
+
+    def of_what_is_kept(self) -> Iterator[Rung]:
+        """The claim along motions that keep what has letters for its constant value."""
+        given = constancy(self.item, self.known) if self.role.kind in EQUATIONS else []
+        if given:
+            says = "both sides are equal along motions on which this is constant"
+            rung = self.rung(Implication, says, self.supposed, given, given=places(given))
+            yield replace(rung, idle=None)  # what is constant is not all that moves
 
     def of_unit_vectors(self) -> Iterator[Rung]:
         """The claim where vectors have the length that is printed of them: one."""

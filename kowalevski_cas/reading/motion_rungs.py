@@ -110,6 +110,8 @@ def of_motion(at: RungMaker) -> Iterator[Rung]:
         return
     if not begins.values and not gives_velocity(item, known):
         return
+    if any(item.names & one.names - {*law.variables} for one in known.sets(item)):
+        return  # its constants have values there
     if not begins.values and _is_deduced_of_all(item, known):
         return
     says = "no motion leaves the set where both sides are equal"

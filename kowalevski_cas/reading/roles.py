@@ -30,6 +30,7 @@ from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.idle import idle
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
+from kowalevski_cas.reading.kept import kept
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
@@ -77,6 +78,7 @@ from kowalevski_cas.reading.suppositions import (
     assumption,
     inequality,
     is_called_positive,
+    of_levels,
     of_place,
     of_some_motions,
     on_place,
@@ -332,10 +334,10 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 RULES: tuple[Rule, ...] = (
     unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
     named_set, law, radius, solved, constraint, reaction, together, unit, bracket_of_momenta,
-    bracket, bracket_of_functions, unjudged, inequality, roots_in_words, unknown, repeated,
+    bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept, unknown, repeated,
     gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
-    solution, constant_of_solution, energy, of_place, on_place, definition, square, assumption,
-    value, approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity,
-    other,
+    solution, constant_of_solution, energy, of_place, on_place, of_levels, definition, square,
+    assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral,
+    identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -94,6 +94,7 @@ class RungMaker:
         if (
             not found.images
             and {*on} - {*self.known.bound}
+            and not any({*one.bare[:1]} & self.known.levels for one in on)  # velocities are left
             and (self.item.derives or self.role.kind == "integral")
         ):
             idle = RestPoints(self.id, found.scene, "", relations=places(on))

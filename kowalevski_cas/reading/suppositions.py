@@ -46,6 +46,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(OTHER, "no equation")
     if {*item.formula.signs} & {r"\ll", r"\gg"} and known.varying(item.names):
         return StatementRole(OTHER, "how small something is where it moves")
+    conditioned = _IN_CONDITION.fullmatch(item.before) is not None
     if said := _stated_under(item):
         return StatementRole(CLAIM, f"it is said when “{said.strip()}”", "condition")
     if is_inequality(item.formula) and known.varying(item.names):
@@ -56,7 +57,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         deduced = item.derives and "=" in item.formula.signs and not cue("when", item.lead)
         ordered = all(isinstance(one, Name) for one in item.formula.members)
         told = item.typed.inline and ordered and not cue("claim", item.before)
-        told = told or beside or bool(supposing(item))
+        told = told or beside or bool(supposing(item)) or conditioned
         supposed = not deduced and (told or _is_of_new(item, known))
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
@@ -66,6 +67,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         if not claimed and _is_concluded(item):
             return StatementRole(CLAIM, FOUND, "inequality")
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
+        begun = begun or conditioned
         supposed = begun or not claimed or _says_first(item, known)
         if not supposed and {*item.formula.signs} & {r"\ll", r"\gg"}:
             return StatementRole(OTHER, "how small something is")
@@ -73,6 +75,13 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+_IN_CONDITION = re.compile(
+    r"\W*(?:if|when|suppose|assume|если|когда|пусть)\b(?:[^,;.:§]|§(?!\s*$))*\b(?:and|и)\s*",
+    re.IGNORECASE,
+)
+"""What stands before the second condition of a sentence that begins with one."""
 
 
 POSITIVE = "positive"
@@ -310,6 +319,26 @@ def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:
     deduced = cue("deduced", item.lead) or cue("then", item.lead) or cue("claim", item.lead)
     given = any(map(known.is_defined, squares)) or known.varying(item.names)
     return [] if deduced or given or all(map(known.is_known, others)) else squares
+
+
+def of_levels(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A value that words suppose of an integral, by constants and values of others: “with k=Cn”."""
+    if len(item.members) != 2 or item.derives or not item.typed.inline:
+        return None
+    first, other = item.members
+    if (
+        not isinstance(first, Name)
+        or not {first.name, *known.varying(other.names())} <= known.levels
+    ):
+        return None
+    said = supposing(item)
+    if not said or first.name in other.names() or cue("claim", f"{item.lead} "):
+        return None
+    why = f"“{said}” supposes it of the value of an integral"
+    lasting = cue("lasting", f"{joined_lead(item)} ")
+    return StatementRole(
+        ASSUMPTION, why, "set in force" if lasting else "set of the sentence", (first.name,)
+    )
 
 
 _ON_PLACE = re.compile(
