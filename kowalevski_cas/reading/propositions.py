@@ -102,6 +102,33 @@ _IS_PLACE = re.compile(
 """How words end behind which vanishing rates say where a special point is: they vanish there."""
 
 
+_AT_ACCELERATION = re.compile(
+    r"\b(?:if|when|where|for|from|with|putting|setting|conditions?|если|когда|при|из|положив|полагая|услови\w+)[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which accelerations vanish for what the sentence says."""
+
+
+def _has_no_acceleration(item: SourceStatement, known: Known) -> bool:
+    """Whether words suppose that second derivatives of what moves vanish, in a chain or a list."""
+    others = [member for member in item.members if member != ZERO]
+    rates = [row.rates for law in known.laws for row in law.rows]
+    free = item.typed.inline and all(
+        isinstance(one, Derivative)
+        and isinstance(one.argument, Derivative)
+        and isinstance(one.argument.argument, Name)
+        and max((own.get(one.argument.argument.name, 0) for own in rates), default=0) == 2
+        for one in others
+    )
+    if not free:
+        return False
+    if _AT_ACCELERATION.search(item.lead):
+        return True
+    before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
+    joined = bool(before) and item.lead.strip(" ,;~") in ("", "and", "и")
+    return joined and _has_no_acceleration(before[-1], known)
+
+
 def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""Rates that vanish on a set, with what moves, as :math:`x=0, \dot x=0`, or in a chain.
 
@@ -112,6 +139,10 @@ def set_of_rates(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if _IS_PLACE.search(item.before) or _FOUND_FROM.search(item.lead):
         return StatementRole(ASSUMPTION, "says where something is", "set of the sentence")
+    if _has_no_acceleration(item, known):
+        return StatementRole(
+            ASSUMPTION, "supposes that nothing is accelerated", "set of the sentence"
+        )
     others = [member for member in item.members if member != ZERO]
     inner = [one.argument if isinstance(one, Derivative) else one for one in others]
     if not all(isinstance(one, Name) and known.moves(one.name) for one in inner):

@@ -64,6 +64,17 @@ class RungMaker:
         ]
         return [kept, self.supposed] if len(kept) < len(self.supposed) else [self.supposed]
 
+    def _leaves_velocities(self, on: Sequence[SourceStatement]) -> bool:
+        """Whether something has an equation of the second order, and its rate is not given there.
+
+        A point of rest has velocities that vanish; where they need not vanish, something moves.
+        """
+        rates = [row.rates for law in self.known.laws for row in law.rows]
+        moving = {name for own in rates for name, order in own.items() if order > 1}
+        given = {name for one in on for name, order in one.rates.items() if order == 1}
+        scalars = self.known.names.scalars
+        return bool({*scalars(moving)} - {*scalars(given)})
+
     def _is_needed(self, assumption: SourceStatement) -> bool:
         """Whether it gives a function of which nothing says on what it depends else."""
         role = self.known.roles[assumption]
@@ -94,7 +105,7 @@ class RungMaker:
         if (
             not found.images
             and {*on} - {*self.known.bound}
-            and not any({*one.bare[:1]} & self.known.levels for one in on)  # velocities are left
+            and not self._leaves_velocities(on)
             and (self.item.derives or self.role.kind == "integral")
         ):
             idle = RestPoints(self.id, found.scene, "", relations=places(on))
