@@ -100,7 +100,7 @@ def levels_in(
 
     They are constants there, and what names them has to hold of the solution as well.
     """
-    solved = {name for one in found.given for name in one.bare}
+    solved = {name for one in found.given for name in one.bare} - known.levels
     names = {name for one in found.given for name in one.names} - solved
     by = {name: known.definition(name, item) for name in names}
     return {
@@ -234,7 +234,8 @@ def _fixed(name: str, item: SourceStatement, known: Known) -> SourceStatement | 
     for one in known.items:
         match one.members:
             case (Name(own), value) if own == name and one.order < item.order:
-                moving = known.varying(value.names()) or value.names() & known.times
+                fixed = value.names() - known.levels
+                moving = known.varying(fixed) or value.names() & known.times
                 if one.paragraph == item.paragraph and not (one.derives or one.begins or moving):
                     return one
     return None

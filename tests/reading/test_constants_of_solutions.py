@@ -86,3 +86,17 @@ def test_a_rate_that_words_name_is_a_constant_of_all_that_is_solved_together():
     assert verdicts(text % "ct+d")[r"x=a\cos(\sqrt kt+b)"] in GREEN
     assert verdicts(text % "ct").get(r"x=a\cos(\sqrt kt+b)") not in GREEN
     assert verdicts(text % "2ct+d").get("y=2ct+d") not in GREEN
+
+
+TURNING = r"""The motion is \[ A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq .\] {CASE} Then $r=r_0$ is
+constant, and with $n=\frac{C-A}{A}r_0$ the general solution is \[ p=k\cos(nt+s),\qquad q={SIGN}k\sin(nt+s) .\]"""
+
+
+@pytest.mark.parametrize(
+    ("case", "sign", "green"),
+    [("Let $A=B$.", "", True), ("Let $A=B$.", "-", False), ("", "", False)],
+)
+def test_what_words_keep_constant_is_given_with_a_solution(case, sign, green):
+    found = verdicts(TURNING.replace("{CASE}", case).replace("{SIGN}", sign))
+    assert (found.get(r"p=k\cos(nt+s)") in GREEN) == green
+    assert (found.get(rf"q={sign}k\sin(nt+s)") in GREEN) == green
