@@ -3,8 +3,13 @@ r"""What words call the roots of an equation for a letter: “x and y are the ro
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from contextlib import suppress
+from functools import reduce
+from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Name, Number, times, to_latex
+from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero, precisely
+from kowalevski_cas.notation import Formula, Name, Number, Partial, times, to_latex
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement
@@ -24,9 +29,28 @@ _ARE_ROOTS = re.compile(
 
 def roots_in_words(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation for a letter, of which words right before it name the roots."""
-    if len(item.members) == 2 and not item.derives and _roots(item, known):
+    if len(item.members) != 2 or item.derives or not (roots := _roots(item, known)):
+        return None
+    if _has_so_many(item, variable_of(item, known), roots):
         return StatementRole(CLAIM, "the words before it name its roots", OF_ROOTS)
     return None
+
+
+def _has_so_many(item: SourceStatement, letter: str, roots: Sequence[Formula]) -> bool:
+    """Whether an equation has as many roots as words name; not fewer where they name some of them.
+
+    By its degree, which is seen in derivatives at a sample: those that are named are different.
+    """
+    sides = minus((item.members[0], item.members[1]))
+    slopes = [reduce(Partial, [letter] * k, sides) for k in range(1, len(roots) + 2)]
+    some = re.search(r"\ban?\s+root\b", item.before) is not None
+    with suppress(Valueless, ArithmeticError), precisely():
+        sample = Sample(1, {}, (), {}, "t")
+        values = [sample.value(root) for root in roots]
+        apart = not any(is_zero(one - other) for one, other in combinations(values, 2))
+        *_, last, beyond = (is_zero(sample.value(slope)) for slope in slopes)
+        return apart and (not (last and beyond) if some else not last and beyond)
+    return False
 
 
 def equation_of_roots(item: SourceStatement, known: Known) -> SourceStatement:

@@ -30,3 +30,22 @@ def test_roots_that_words_name(words, green):
 def test_an_image_may_be_a_root():
     assert [*verdicts(MAP).values()][-1].green
     assert not [*verdicts(MAP.replace("-2ay", "-ay")).values()][-1].green
+
+
+@pytest.mark.parametrize(
+    "equation",
+    ["s(s^2-(p+q)s+pq)=0", "s-s=0", "(s-p)^2(s-q)=0", "s^3-(p+q)s^2+pqs=0", "(s-p)(s-q)(s-p-q)=0"],
+)
+def test_the_roots_are_all_roots(equation):
+    law = r"The motion is \[ \dot p=q,\qquad \dot q=-p. \] "
+    words = r"The numbers $p$ and $q$ are the roots of the equation"
+    right = "s^2-(p+q)s+pq=0"
+    assert verdicts(rf"{law}{words} \[ {right} .\]")[right].green
+    found = verdicts(rf"{law}{words} \[ {equation} .\]").get(equation)
+    assert found is None or not found.green
+
+
+def test_roots_that_are_the_same_are_not_two():
+    law = r"The motion is \[ \dot p=q,\qquad \dot q=-p. \] "
+    found = verdicts(law + r"The numbers $p$ and $p$ are the roots of \[ (s-p)(s-q)=0 .\]")
+    assert not any(one.green for one in found.values())
