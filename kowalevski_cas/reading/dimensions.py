@@ -2,7 +2,7 @@
 
 By all else that is printed a name, or a rate, may have a dimension; a formula by which it has none
 disagrees with the rest. It is suspected only if one change lets it agree in all its terms: many a
-paper takes units in which something is 1.
+paper takes units in which something is 1. Where the time has none, its law does so.
 """
 
 from __future__ import annotations
@@ -142,6 +142,7 @@ class _Dimensions:
                         and one not in self.supposed
                         and not any(map(is_numerical, one.members))
                         and not _says_several_rates(one)
+                        and not (self.known.roles[one].name == LAW and {TIME: 1} in spans[one])
                     ):
                         lost[one] = self._lost(one, atoms, spans[one])
             if len(lost) > MANY:

@@ -5,17 +5,37 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import Formula, Name, Vector, to_latex
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Quotient,
+    Vector,
+    times,
+    to_latex,
+    total,
+)
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.rest_points import POINT, coordinates, entries_of, law_of_points
+from kowalevski_cas.reading.rest_points import (
+    MARKED,
+    POINT,
+    coordinates,
+    entries_of,
+    in_marked_letters,
+    law_of_points,
+    marked,
+)
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 KIND, MATRIX, TRACE, DETERMINANT = "eigenvalue", "linear part", "trace", "determinant"
+SIGNS, SIGN = (r"\pm", r"\mp"), r"\varsigma"
+"""Two signs at once, and the letter for either."""
 _OF = (
     r"(?:\s+of\s+(?:the\s+)?(?:linear\s+(?:part|system)|lineari[sz]\w+(?:\s+(?:system|equations?))?"
     r"|Jacobian(?:\s+matrix)?)(?:\s+of\s+(?:the\s+)?(?:system|field|equations?)?[\s~]*"
@@ -226,14 +246,48 @@ def point_at(
     own: Sequence[SourceStatement], item: SourceStatement, law: Law, known: Known
 ) -> tuple[SourceStatement, ...]:
     """The equations of the point that a formula names, or of which it lists the coordinates."""
-    if len(own) != 1:
+    if len(own) == 1 and (named := _named_set(own[0], known)):
+        gives = {name for one in named for name in one.bare if known.moves(name)}
+        return named if gives >= {*law.variables} else ()
+    entries = [_entries_at(one, item, law, known) for one in own]
+    if len(own) == 1:
+        return _with_coordinates(entries[0], item, law, known)
+    if len(own) == 2 and any(sign in own[0].typed.tex for sign in SIGNS):
+        return _at_both(*entries, item, law, known)
+    return ()
+
+
+def _entries_at(
+    one: SourceStatement, item: SourceStatement, law: Law, known: Known
+) -> tuple[Formula, ...]:
+    """The coordinates that a statement before another one lists, or has a name for."""
+    if isinstance(one.formula, Name):
+        by = known.definition(one.formula.name, item)
+        return entries_of(by.members[-1]) if by is not None and len(by.members) == 2 else ()
+    for other, role in known.roles.items():
+        named = other.members[:1] == (one.formula,) and other.order < item.order
+        if named and role.kind == POINT:
+            return coordinates(other, law, known)
+    return coordinates(one, law, known)
+
+
+def _at_both(
+    plus: Sequence[Formula], minus: Sequence[Formula], item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of two points at once: a letter of which the square is 1 is the sign."""
+    if len(plus) != len(minus):
         return ()
-    if isinstance(own[0].formula, Name):
-        return _named(own[0], item, law, known)
-    for one, role in known.roles.items():
-        if role.kind == POINT and one.members[:1] == (own[0].formula,) and one.order < item.order:
-            return _with_coordinates(coordinates(one, law, known), item, law, known)
-    return _with_coordinates(coordinates(own[0], law, known), item, law, known)
+    two = Number(2)
+    mixed = [
+        one if one == other else total([
+            Quotient(total([one, other]), two),
+            times(Name(SIGN), Quotient(total([one, Negative(other)]), two)),
+        ])
+        for one, other in zip(plus, minus, strict=True)
+    ]  # fmt: skip
+    both = _with_coordinates(mixed, item, law, known)
+    sign = unprinted(known.paper, f"sign-{item.order}", rf"{SIGN}^2=1", law.first, "both signs")
+    return (*both, sign) if both else ()
 
 
 def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:
@@ -241,12 +295,15 @@ def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceSta
     points = [
         one
         for one, role in known.roles.items()
-        if role.kind == POINT and one.order < item.order and one.paragraph == item.paragraph
-    ]
+        if role.kind in (POINT, MARKED)
+        and one.order < item.order and one.paragraph == item.paragraph
+    ]  # fmt: skip
     last = [one for one in points if one.sentence == points[-1].sentence]
     behind = (one for one in known.items if last and last[-1].order < one.order < item.order)
     if any(coordinates(one, law, known) for one in behind):
         return ()  # another place is printed since then
+    if last and known.roles[last[0]].kind == MARKED:
+        return tuple(in_marked_letters(marked(last[0], law, known), item, known))
     if len(last) == 1:
         return _with_coordinates(coordinates(last[0], law, known), item, law, known)
     before = [
@@ -279,22 +336,13 @@ def gives_all(equations: tuple[SourceStatement, ...], law: Law) -> bool:
     return sorted(given) == sorted(law.variables)
 
 
-def _named(
-    own: SourceStatement, item: SourceStatement, law: Law, known: Known
-) -> tuple[SourceStatement, ...]:
-    """The equations of a set with a name, or of the point that a list of coordinates gives."""
-    assert isinstance(own.formula, Name)
-    named = [
-        one
-        for one in known.items
-        if known.paper.sets.get(one.typed.start, "").strip() == own.typed.tex.strip()
-    ]
-    if named:
-        gives = {name for one in named for name in one.bare if known.moves(name)}
-        return tuple(named) if gives >= {*law.variables} else ()
-    by = known.definition(own.formula.name, item)
-    entries = entries_of(by.members[-1]) if by is not None and len(by.members) == 2 else ()
-    return _with_coordinates(entries, item, law, known)
+def _named_set(one: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the set of which a statement is the name."""
+    if not isinstance(one.formula, Name):
+        return ()
+    name = one.typed.tex.strip()
+    sets = known.paper.sets
+    return tuple(own for own in known.items if sets.get(own.typed.start, "").strip() == name)
 
 
 def _with_coordinates(

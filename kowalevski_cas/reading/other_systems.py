@@ -97,7 +97,8 @@ def _is_of_new_constants(
         {name: order for one in laws for row in one.rows for name, order in row.rates.items()}
         for laws in ([law], part)
     )
-    given = {name for one in rates.paper.items for name in one.printed.heads.names}
+    read = (one for one in rates.paper.items if one.formula is not None)
+    given = {name for one in read for name in one.printed.heads.names}
     return orders == before and bool({*new} - given)
 
 

@@ -36,7 +36,7 @@ from kowalevski_cas.reading.varied_laws import with_varied
 
 _RETURN = re.compile(
     r"\W*(?:(?:let\s+us|we|now|finally|again|then|next)[\s,]+)*"
-    r"(?:return(?:ing)?|(?:come|go|turn|turning)\s+back)\s+to\s+(?:the|our|equations?|systems?|\()"
+    r"(?:return(?:ing)?|(?:come|go|turn|turning)\s+back)\s+to\s+(?:the|our|equations?|systems?|\(|\\)"
     r"|\W*(?:теперь\s+|снова\s+)?(?:верн[её]мся|возвратимся|возвращаясь)\s+к\b",
     re.IGNORECASE,
 )
@@ -70,6 +70,7 @@ class Parts:
                 self.begins = sorted([*self.begins, (stop, place)])
         placed: list[list[SourceStatement]] = [[] for _ in own]
         self.places = {item: self._place(item) for item in paper.items}
+        self.places |= dict(self._of_what_is_defined())
         self.places |= dict(self._of_what_is_averaged(own))
         for item, place in self.places.items():
             placed[place].append(item)
@@ -97,6 +98,20 @@ class Parts:
         found = {self.part_at(law.first.typed.start) for law in self.laws if cited & law.printed}
         is_row = any(item in law.printed for law in self.laws)
         return found.pop() if len(found) == 1 and not is_row else here
+
+    def _of_what_is_defined(self) -> Iterator[tuple[SourceStatement, int]]:
+        """The statements that derive what a formula gives for another part, which it cites.
+
+        It stands last before them in their paragraph, as in “let z be x², where x obeys (1)”.
+        """
+        given: dict[tuple[int, str], int] = {}
+        for item, place in self.places.items():
+            elsewhere = place != self.part_at(item.typed.start)
+            for name in item.bare[:1] if len(item.members) == 2 and not item.derives else ():
+                given[item.paragraph, name] = place if elsewhere and item.refs else -1
+            found = {given.get((item.paragraph, name), -1) for name in item.rates}
+            if item.derives and not item.refs and len(found) == 1 and {*found} != {-1}:
+                yield item, found.pop()
 
     def _of_what_is_averaged(
         self, own: Sequence[Sequence[Law]]
@@ -202,10 +217,14 @@ class Parts:
     def cite(self, item: SourceStatement) -> None:
         """Let names have their meaning in the part of a statement that another part gives them.
 
-        They are cited there, or the same variables move in both, as where a force is added, and
-        the statement does not define them anew.
+        They are cited there, or stand in the part where it is printed, or the same variables move
+        in both, as where a force is added, and the statement does not define them anew.
         """
-        known = self.of(item)
+        known, here = self.of(item), self.known[self.part_at(item.typed.start)]
+        for name in item.names if here is not known else ():
+            if not (known.is_defined(name) or known.moves(name)):
+                for one in here.definitions.get(name, ()):
+                    known.borrow(one, self.roles[one])
         for one in self._inherited(item, known):
             known.borrow(one, self.roles[one])
         for one in known.cited(item):

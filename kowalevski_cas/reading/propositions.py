@@ -340,13 +340,14 @@ def identity(item: SourceStatement, known: Known) -> StatementRole | None:
 def _unknown_of(item: SourceStatement, known: Known) -> str | None:
     """The letter for which an equation of constants with a zero is one, as that of exponents.
 
-    No law has it, and nothing says what it is: of all its values nothing is claimed.
+    No law has it, and nothing says what it is, but perhaps other such equations: of all its values
+    nothing is claimed.
     """
     if ZERO not in item.members or item.derives or known.varying(item.names) or not known.laws:
         return None
     said = {name for one in known.supposed(item) for name in one.names}
     before = (one for one in known.items if one.order < item.order and one.members)
-    said |= {name for one in before for name in one.names}
+    said |= {name for one in before if known.roles[one].kind != "somewhere" for name in one.names}
     said |= {name for one in known.items for name in one.bare if one.members}
     new = [name for name in known.untied(sorted(item.names - said)) if not known.is_defined(name)]
     return new[0] if len(new) == 1 else None

@@ -56,7 +56,14 @@ _ORDERS = (
 )  # fmt: skip
 """Letters of coordinates in their usual order."""
 _AND = r"(?:[\s,;~]|\b(?:and|or|и|или|as\s+well\s+as)\b)*"
-_LIST_BEFORE = re.compile(rf"(?:{_AND}(?:§|\bthe\s+origin\b|\bначало\s+координат))+{_AND}$")
+_MORE = (
+    r"(?:(?:for|if|when|при)\s+§[\s,~]*)?(?:the\s+)?(?:(?:other|further)\s+)?"
+    r"(?:two|three|four|две|три|четыре)\s+(?:(?:other|further)\s+)?(?:points?|ones|точки)[\s:,~]*"
+)
+_LIST_BEFORE = re.compile(
+    rf"(?:{_AND}(?:{_MORE})?(?:§|\bthe\s+origin\b|\bначало\s+координат))+{_AND}(?:{_MORE})?$",
+    re.IGNORECASE,
+)
 _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
 
 

@@ -93,11 +93,13 @@ _WHERE = re.compile(
     re.IGNORECASE,
 )
 """Where something is said to be so."""
+_WHERE_BEHIND = re.compile(rf"[\s~]*{_WHERE.pattern}", re.IGNORECASE)
 _COMPARED = re.compile(
-    r"\brevers\w+|\btwice\b|\b(?:times|half)\s+(?:as|the)\b|\bthan\b|обра(?:щ|т)\w+|\b(?:вдвое|чем)\b",
+    r"\bwithout\b(?!\s+loss)|\babsen\w+|\bбез\b|\bотсутств\w+|\brevers\w+|\btwice\b|\b(?:times|half)\s+(?:as|the)\b|\bthan\b|обра(?:щ|т)\w+|\b(?:вдвое|чем)\b",
     re.IGNORECASE,
 )
 """Words that compare a system with another one."""
+_BECOMES = re.compile(r"\b(?:becomes?|становится)(?=[\s:~]*(?:§|$))", re.IGNORECASE)
 _JOINED = re.compile(r"(?:[\s,;~]|\b(?:and|и)\b)*")
 _SMALL_ANGLES = re.compile(r"\bsmall\s+angles\b|\bмал\w+\s+угл\w+", re.IGNORECASE)
 
@@ -298,8 +300,9 @@ def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...
     if law is None or _is_of_others(item, law, known):
         return ()
     origin = equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
-    found = [one["where"] for one in _WHERE.finditer(item.words)]
-    places = [*dict.fromkeys(_listed(item, law, known))]
+    clause = _clause(item, known)
+    found = [one["where"] for one in _WHERE.finditer(known.paper.prose.text, *clause)]
+    places = [*dict.fromkeys(_listed(clause, item, law, known))]
     if places or found:
         places += [origin] if any(where != "§" for where in found) else []
         return places[0] if len(places) == 1 and gives_all(places[0], law) else ()
@@ -315,6 +318,8 @@ def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
     """Whether a statement may follow from other equations than the law."""
     start = max(item.paragraph, item.section.start, law.items[-1].typed.end)
     words = f"{item.words} {known.paper.prose.between(start, item.typed.start)}"
+    if law.first.paragraph == item.paragraph:
+        words = _BECOMES.sub("", words)  # it becomes so by this law
     others = ("force", "another system", "another case")
     if any(cue(name, words) for name in others) or _COMPARED.search(words):
         return True
@@ -322,18 +327,41 @@ def _is_of_others(item: SourceStatement, law: Law, known: Known) -> bool:
         return True
     before = (one for one in known.items if one.section is item.section and one.order < item.order)
     rated = (name for one in before if one not in law.rows for name in one.rates)
-    return not all(map(known.varies, rated))
+    return not all(known.varies(name) or known.is_defined(name) for name in rated)
 
 
-def _listed(item: SourceStatement, law: Law, known: Known) -> Iterator[tuple[SourceStatement, ...]]:
-    """The equations of the places that the sentence of a statement names."""
+def _clause(item: SourceStatement, known: Known) -> tuple[int, int]:
+    """Where the words of a sentence stand that say where a statement holds.
+
+    They stand right behind it, or else between it and another claim on a linear part, or last
+    anywhere behind this.
+    """
+    (start, end), text = item.sentence, known.paper.prose.text
     beside = known.of_sentence(item.sentence)
     typed = [*dict.fromkeys(one.typed.start for one in beside)]
-    words = known.paper.prose.text[slice(*item.sentence)]
-    for found in _WHERE.finditer(words):
+    formulas = (start + found.start() for found in re.finditer("§", text[start:end]))
+    places = dict(zip(typed, formulas, strict=False))
+    here = places[item.typed.start]
+    for one in beside:
+        other = places[one.typed.start]
+        if other < here and known.roles[one].kind in (CHARACTERISTIC, FREQUENCY, KIND):
+            start = start if _JOINED.fullmatch(text, other + 1, here) else other + 1
+    if _WHERE_BEHIND.match(text, here + 1):
+        alike = (places[one.typed.start] for one in beside if variable_of(item, known) in one.names)
+        return here, min((other for other in alike if other > here), default=end)
+    return start, here if _WHERE.search(text, start, here) else end
+
+
+def _listed(
+    clause: tuple[int, int], item: SourceStatement, law: Law, known: Known
+) -> Iterator[tuple[SourceStatement, ...]]:
+    """The equations of the places that a clause in the sentence of a statement names."""
+    beside, text = known.of_sentence(item.sentence), known.paper.prose.text
+    typed = [*dict.fromkeys(one.typed.start for one in beside)]
+    for found in _WHERE.finditer(text, *clause):
         if found["where"] != "§":
             continue
-        first = words[: found.start("where")].count("§")
+        first = text[item.sentence[0] : found.start("where")].count("§")
         own: list[SourceStatement] = []
         for start in typed[first:]:
             here = [one for one in beside if one.typed.start == start]

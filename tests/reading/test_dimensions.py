@@ -106,3 +106,10 @@ def test_a_law_may_say_alone_how_the_time_scales(law):
     assert not found(
         rf"Consider ${law}$. Put \[ U(x)=\frac14x^4-\frac12x^2 .\] Then $U'(x)=x^3-x$, $U''(x)=3x^2-1$."
     )
+
+
+def test_where_the_time_has_no_dimension_a_law_has_units_of_its_own():
+    law = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    assert not found(
+        rf"Consider ${law}$. The exponents obey \[ m^3+(s+b+1)m^2+b(r+s)m+2sb(r-1)=0 .\]"
+    )

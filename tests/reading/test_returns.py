@@ -1,5 +1,7 @@
 """A text may come back to an earlier system, and name what is small without being approximate."""
 
+from itertools import product
+
 import pytest
 
 from tests.reading.test_reading import reading, verdicts
@@ -93,3 +95,29 @@ def test_what_is_called_an_integral_or_is_deduced_is_no_law(text):
     found = verdicts(rf"{law} \section{{More}} {text}")
     assert found
     assert not any(verdict.green for verdict in found.values())
+
+
+FRICTION = r"""The point moves by \begin{equation}\label{free}\ddot x+ax+bx^3=0.\end{equation} The energy is
+\[ H=\frac12\dot x^2+\frac12ax^2+\frac14bx^4 .\] \section{Friction} Real springs are not ideal:
+\begin{equation}\label{damped}\ddot x+2c\dot x+ax+bx^3=0 .\end{equation} We obtain $\dot H=-2c\dot x^2$. """
+CITES = [
+    r"Let $z=x^2$, $x$ being any solution of \eqref{LAW}. Then",
+    r"Let $z=x^2$, where $x$ is a solution of \eqref{LAW}. Prove that",
+    r"Let us go back to \eqref{LAW}. With $z=x^2$ we have",
+    r"We return to \eqref{LAW} and put $z=x^2$. We have",
+    r"Let $z=x^2$. For the solutions of \eqref{LAW} we have",
+]
+
+
+@pytest.mark.parametrize(("words", "law"), [*product(CITES, ("free", "damped"))])
+def test_what_is_defined_for_the_motions_of_a_cited_law_moves_by_this_law(words, law):
+    rate = r" \[ \ddot z=4H-4az-3bz^2 .\]"
+    found = verdicts(FRICTION + words.replace("LAW", law) + rate)
+    assert found[r"\ddot z=4H-4az-3bz^2"].green is (law == "free")
+
+
+def test_what_cannot_be_read_is_no_hindrance_to_another_system():
+    first = r"\section{First} Consider $\ddot x+ax=0$. Then $\dot x^2+ax^2$ is constant. "
+    other = r"\section{More} The equation is $\ddot x+2m\dot x+ax=0$. "
+    unread = r"Here $x=1,2,3$ and $\dot x\le0\text{ unless }a$."
+    assert [one.green for one in verdicts(first + other + unread).values()] == [True]

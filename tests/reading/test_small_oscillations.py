@@ -14,6 +14,15 @@ FREE = r"The equation of motion is \begin{equation}\label{s} \ddot u=-n\sin u .\
 WELL = r"The equations of motion are \begin{equation}\label{w} \dot q=p,\quad \dot p=aq-bq^3-cp .\end{equation} "
 TWO = r"""The equations of motion are \[ 3\ddot u+\ddot v\cos(u-v)-\dot v^2\sin(u-v)+2u-v=0,\quad
 \ddot v+\ddot u\cos(u-v)+\dot u^2\sin(u-v)+v-u=0 .\] """
+PREY = r"""The equations are \[ \dot x=x(a-by-ex),\quad \dot y=y(dx-c),\quad a,b,c,d,e>0 .\]
+The point of coexistence is \[ x^*=\frac cd,\qquad y^*=\frac{ad-ec}{bd} .\] """
+CONVECTION = r"""The equations are \[ \dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz \] with positive
+parameters. The points of rest are the origin and, for $r>1$, the two points
+\[ C_\pm=(\pm\sqrt{b(r-1)},\pm\sqrt{b(r-1)},r-1) .\] """
+DAMPED = r"""We study \[ \ddot x-g\dot y=ax,\quad \ddot y+g\dot x=by .\]
+The energy \[ E=\frac12(\dot x^2+\dot y^2)-\frac12(ax^2+by^2) \] is an integral.
+\section{Friction} With friction the equations are
+\[ \ddot x+k\dot x-g\dot y=ax,\quad \ddot y+k\dot y+g\dot x=by .\] Now \[ \dot E=-k(\dot x^2+\dot y^2) \] and """
 COUPLED = r"The equations of motion are \[ \ddot u=-nu+n(v-u),\quad \ddot v=-nv+n(u-v) .\] "
 TILTED = r"""The equation is \[ \ddot u=m^2\sin u\cos u-k\sin u .\] It rests at the angle $\alpha$ with
 \[ \cos\alpha=\frac k{m^2} .\] Put $u=\alpha+\xi$ and neglect the squares of $\xi$,
@@ -41,6 +50,13 @@ TRUE = [
     SWING + r"При $u$ вблизи $u=0$ характеристическое уравнение имеет вид \[ \mu^2+c\mu+n=0 .\]",
     WELL + r"The characteristic equation at the origin is \[ s(s+c)=a .\]",
     WELL + r"Let $a=b$. The characteristic equation at the point $q=1$, $p=0$ is \[ s^2+cs+2a=0 .\]",
+    WELL + r"At the origin the characteristic polynomial is \[ s^2+cs-a ,\] and at $(\sqrt{a/b},0)$ the"
+    r" characteristic equation is \[ s^2+cs+2a=0 .\]",
+    WELL + r"The characteristic equation is $s^2+cs-a=0$ at the origin, and $s^2+cs+2a=0$ at $(\sqrt{a/b},0)$.",
+    WELL + r"At $(\pm\sqrt{a/b},0)$ the characteristic equation is \[ s^2+cs+2a=0 .\]",
+    PREY + r"The characteristic equation at this point is \[ s^2+\frac{ec}ds+\frac{c(ad-ec)}d=0 .\]",
+    CONVECTION + r"At $C_\pm$ the characteristic equation is \[ m^3+(s+b+1)m^2+b(r+s)m+2sb(r-1)=0 .\]",
+    DAMPED + r"the characteristic equation becomes \[ s^4+2ks^3+(g^2+k^2-a-b)s^2-k(a+b)s+ab=0 .\]",
     TWO + r"For small angles, inserting $u,v\sim e^{\mu t}$ we find \[ 2\mu^4+7\mu^2+1=0 .\]",
     FREE + r"The frequency of the small oscillations near $u=0$ is \[ \nu^2=n .\]",
     FREE + r"The frequency of small oscillations is \[ \nu_0=\sqrt n \] near $u=0$.",
@@ -54,6 +70,15 @@ TRUE = [
     TILTED + r"The characteristic equation is \[ \mu^2=\frac{k^2}{m^2}-m^2 .\]",
 ]  # fmt: skip
 FALSE = [
+    WELL + r"At the origin the characteristic polynomial is \[ s^2+cs-a ,\] and at $(\sqrt{a/b},0)$ the"
+    r" characteristic equation is \[ s^2+cs-a=0 .\]",
+    WELL + r"The characteristic equation is $s^2+cs+2a=0$ at the origin, and $s^2+cs-a=0$ at $(\sqrt{a/b},0)$.",
+    WELL + r"At the origin and at $(\sqrt{a/b},0)$ the characteristic equation is \[ s^2+cs+2a=0 .\]",
+    WELL.replace("-bq^3", "-bq^3+kq^2") + r"At $(\pm1,0)$ the characteristic equation is \[ s^2+cs-a+3b-2k=0 .\]",
+    PREY + r"The characteristic equation at this point is \[ s^2+\frac{ed}cs+\frac{c(ad-ec)}d=0 .\]",
+    CONVECTION + r"At $C_\pm$ the characteristic equation is \[ m^3+(s+b+1)m^2+b(r-s)m+2sb(r-1)=0 .\]",
+    DAMPED + r"the characteristic equation becomes \[ s^4+ks^3+(g^2+k^2-a-b)s^2-k(a+b)s+ab=0 .\]",
+    DAMPED + r"without it the characteristic equation is \[ s^4+2ks^3+(g^2+k^2-a-b)s^2-k(a+b)s+ab=0 .\]",
     TILTED + r"The frequency of small oscillations is therefore $\nu$, where \[ \nu^2=m^2+\frac{k^2}{m^2} .\]",
     TILTED + r"Hence the frequency is \[ \nu=\sqrt{m^2-k^2} .\]",
     TILTED + r"The frequency of the driving force is \[ \nu=\sqrt{m^2-k^2} .\]",
