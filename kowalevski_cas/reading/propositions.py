@@ -346,8 +346,9 @@ def _unknown_of(item: SourceStatement, known: Known) -> str | None:
     if ZERO not in item.members or item.derives or known.varying(item.names) or not known.laws:
         return None
     said = {name for one in known.supposed(item) for name in one.names}
+    sought = {one for one, role in known.roles.items() if role.kind == "somewhere"}
     before = (one for one in known.items if one.order < item.order and one.members)
-    said |= {name for one in before if known.roles[one].kind != "somewhere" for name in one.names}
+    said |= {name for one in before if one not in sought for name in one.names}
     said |= {name for one in known.items for name in one.bare if one.members}
     new = [name for name in known.untied(sorted(item.names - said)) if not known.is_defined(name)]
     return new[0] if len(new) == 1 else None

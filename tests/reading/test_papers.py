@@ -8,11 +8,12 @@ import pytest
 from kowalevski_cas.cli import main
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.reading import read
+from kowalevski_cas.reading import choice, read
 from kowalevski_cas.reading.draft import draft
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.interpretation import Interpretation
 from tests.reading.score import score
+from tests.sample import sampled
 
 PAPERS = Path(__file__).parents[1] / "data" / "papers"
 SHARED = Path(__file__).parents[3] / "shared" / "papers"
@@ -40,6 +41,14 @@ def test_a_paper_with_planted_errors(path):
 @pytest.mark.slow
 @pytest.mark.parametrize("path", sorted(PAPERS.parent.rglob("*.tex")), ids=lambda path: path.stem)
 def test_no_paper_ends_the_reading(path):
+    assert read(read_source(path)).formulas
+
+
+@pytest.mark.parametrize(
+    "path", sampled(sorted(PAPERS.parent.rglob("*.tex")), 30, id=lambda path: path.stem)
+)
+def test_no_paper_ends_the_reading_where_no_claim_holds(path, monkeypatch):
+    monkeypatch.setattr(choice, "_trial", lambda *_: (False, ""))
     assert read(read_source(path)).formulas
 
 
