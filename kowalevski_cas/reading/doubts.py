@@ -84,6 +84,10 @@ def _has_circumstance(item: SourceStatement) -> bool:
     return bool(said or cue("on it", item.words))
 
 
+_AT_POINTS = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)
+"""The kinds of what is claimed of a linear part, at a point that has been found by the words."""
+
+
 def doubt_of(
     item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts
 ) -> Doubt | None:
@@ -107,8 +111,7 @@ def doubt_of(
         or kept_before(item, known)
     ):
         return Doubt.ALWAYS
-    linear = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)
-    if role.kind in linear and may_be_of_squares(item, known):
+    if role.kind in _AT_POINTS and may_be_of_squares(item, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
@@ -281,7 +284,8 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
     In a theorem with its proof that are its assumptions; else what stands before it in its
     sentence.
     """
-    if cue("place", item.before):
+    placed = known.roles[item].kind in _AT_POINTS
+    if cue("place", item.before) and not placed:
         return True
     for one in known.items:
         if one is item or one in rung.on or one.order > item.order:
@@ -291,7 +295,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if there and one.paragraph == item.paragraph and _is_next(one, item, known):
             return True
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)
-        if one.sentence == item.sentence and _is_place(one):
+        if one.sentence == item.sentence and _is_place(one) and not placed:
             return True
         if one.sentence == item.sentence and set_there:
             return True

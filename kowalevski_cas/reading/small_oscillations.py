@@ -19,6 +19,7 @@ from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
     KIND,
+    SIGN,
     before_list,
     equations_of,
     gives_all,
@@ -249,11 +250,11 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
 
 
 def letters_for(item: SourceStatement, known: Known) -> set[str]:
-    """The letter of an eigenvalue, or of a frequency, in what is said of one."""
+    """The letter of an eigenvalue, or of a frequency, in what is said of one, and of a sign."""
     role = known.roles.get(item)  # what the paper does not print has none
     kind = role.kind if role is not None else ""
     if kind == CHARACTERISTIC:
-        return {variable_of(item, known)}
+        return {variable_of(item, known), SIGN}
     return item.members[0].names() if kind in (KIND, FREQUENCY) and item.members else set()
 
 

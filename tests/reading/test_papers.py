@@ -48,7 +48,7 @@ def test_no_paper_ends_the_reading(path):
     "path", sampled(sorted(PAPERS.parent.rglob("*.tex")), 30, id=lambda path: path.stem)
 )
 def test_no_paper_ends_the_reading_where_no_claim_holds(path, monkeypatch):
-    monkeypatch.setattr(choice, "_trial", lambda *_: (False, ""))
+    monkeypatch.setattr(choice, "_trial", lambda *_, **__: (False, ""))
     assert read(read_source(path)).formulas
 
 
