@@ -23,6 +23,17 @@ _SAYS_MORE = re.compile(
 _GOES_ON = re.compile(r"[\s,~]*(?!(?:and|but|while|whereas|и|а|но)\b)[\w§]")
 """How words begin that go on with what holds under a condition."""
 
+_JOINS = re.compile(r"\b(?:and|but|while|whereas|и|а|но)\b[\s,~]*(?:\w+[\s~]+){0,5}\w+[\s~]*$")
+_RIGHT_BEHIND = re.compile(rf"[\s,~]*{MARK}")
+"""How words end that join a condition, and begin where what holds under it is right behind."""
+
+_OTHERWISE = re.compile(
+    r"\b(?:otherwise|else|if\s+not|in\s+(?:all\s+)?(?:the\s+)?other\s+cases?|иначе|в\s+противном\s+случае"
+    r"|в\s+(?:остальных|других)\s+случаях)\b",
+    re.IGNORECASE,
+)
+"""Words for where a condition does not hold."""
+
 _SAYS = re.compile(
     r"[\s,~]*(?:it|they|this|these|we|one|he|она?|они|оно|это|мы)\s+\w+", re.IGNORECASE
 )
@@ -58,6 +69,8 @@ class Clauses:
         return {one for conditions in self.of.values() for one in conditions}
 
     def _claim(self, statement: SourceStatement) -> None:
+        if _OTHERWISE.search(statement.lead):
+            self._leading = []
         if self._before not in self._claims or not _is_joined(statement):
             self._claims = []
         self._claims.append(statement)
@@ -72,6 +85,9 @@ class Clauses:
         anew = _ANEW.search(statement.lead)
         goes_on = MARK in statement.after and _GOES_ON.match(statement.tail)
         goes_on = goes_on or _SAYS.match(statement.tail)
+        goes_on = goes_on or (
+            _JOINS.search(statement.lead) and _RIGHT_BEHIND.match(statement.after)
+        )
         listed = self._before in self.behind and _is_joined(statement)
         before = (one for claim in self._claims for one in self.of[claim])
         other = any(one.names == statement.names for one in before)

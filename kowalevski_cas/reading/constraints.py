@@ -101,7 +101,9 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
             or (bool(before) and _WITH.fullmatch(words.rpartition(MARK)[2]) is not None)
         )
     if before:
-        return bool(cue("where", item.lead)) and names <= {*law.variables, *law.mentions}
+        said = cue("where", item.lead) or cue("constraint", item.lead)
+        said = said or _is_listed(item, law, known)
+        return bool(said) and names <= {*law.variables, *law.mentions}
     return bool(rows) and _says_constraint(item)
 
 

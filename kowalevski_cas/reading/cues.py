@@ -248,8 +248,8 @@ CUES: dict[str, str] = {
         it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
     "another-law": r"""
-        (?:\bif|\bwhen|\bfor|even|also)\b[^.;]*\bfunctions?\s+of\s+(?:the\s+)?time
-        (?:\bif|\bwhen|even|also)\b[^.;]*\bdepends?\s+on\s+(?:the\s+)?time
+        (?:\bif|\bwhen|\bfor|even|also)\b(?:(?!\bintegral)[^.;])*\bfunctions?\s+of\s+(?:the\s+)?time
+        (?:\bif|\bwhen|even|also)\b(?:(?!\bintegral)[^.;])*\bdepends?\s+on\s+(?:the\s+)?time
         (?:\bесли|\bкогда|\bпри)\b[^.;]*(?:функци\w+\s+времени|завис\w+\s+от\s+времени)""",
     "a constant": r"""
         \bconstants?\b \bparameters?\b \bcoefficients?\b \bnumbers?\b \beigenvalues?\b
@@ -283,6 +283,8 @@ CUES: dict[str, str] = {
         equations?\s+of\s+motion equations?\s+(?:are|read|take|have) \bsystem\b \bmodel\b
         \bthe\s+equations[\s~]*$ \bуравнения[\s~]*$
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
+        \b(?:adjoin\w*|append\w*|supplement\w*)\s+(?:\w+\s+){0,4}?equations?[\s~]*$
+        присоедин\w+\s+(?:\w+\s+)?уравнени\w+[\s~]*$
         obey\w* governed\s+by described\s+by euler\w*\s+equations hamilton\w*\s+equations
         уравнени\w+\s+движени\w+ систем\w+ уравнени\w+ описыва\w+""",
     "another system": r"""

@@ -256,6 +256,10 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
             and role.kind != "set"
             and one.order < item.order
         ):
+            said = integral_words(item) if role.name == DEFINITION else ""
+            if said and role.names and known.varying(item.names):
+                why = f"“{said}” stands beside it; it names {plain(role.names[0])}"
+                return StatementRole(CLAIM, why, "integral", role.names)
             if role.name != CLAIM or (role.names and item.typed.inline):
                 return StatementRole(NOTATION, f"said before, at {one.printed.place}")
     return None
@@ -286,6 +290,8 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
     said = cue("define", item.lead)
     if "t" not in item.names:  # else it is a solution
         said = said or cue("suppose", item.lead)
+    if cue("equilibrium", item.words) or len(item.members) != 2:
+        return None  # that is a point, or a solution
     if first and new and said and not item.derives:
         if known.moves(known.names.whole(first)) or first.endswith("_i"):
             return StatementRole(DEFINITION, f"gives {plain(first)} by what is new", "change")

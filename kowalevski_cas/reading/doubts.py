@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence, Set
+from dataclasses import replace
 
-from kowalevski_cas.notation import Name, Number, PoissonBracket, Power
+from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.derivation import Doubt
+from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.beginnings import gives_velocity
@@ -106,6 +109,7 @@ def doubt_of(
         or rung.claim.scene.jets  # words may say which functions are meant
         or _has_momentum(rung, known)
         or _is_in_coordinates_of_words(rung, known)
+        or _is_called_real(rung, known)
         or any(map(has_more_rows, known.laws))
         or parts.is_averaged(item)
         or kept_before(item, known)
@@ -149,6 +153,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or is_of_a_place(item, known)
         or bool(cue("ideal case", item.words))
         or _is_below_other_rates(item, known)
+        or _is_below_other_energy(item, known)
         or _is_before_its_law(item, known)
         or _is_in_limit(item, known)
         or bool(differentials_of_images(printed))
@@ -269,6 +274,21 @@ def _is_in_coordinates_of_words(rung: Rung, known: Known) -> bool:
     """Whether a claim stands on coordinates that words name only: an angle may be another one."""
     own = {one.printed for law in known.laws for one in law.change if not is_printed(one)}
     return not own.isdisjoint(rung.claim.scene.definitions.values())
+
+
+_REAL = re.compile(r"\breal\b|\b(?:вещественн|действительн)\w+", re.IGNORECASE)
+
+
+def _is_called_real(rung: Rung, known: Known) -> bool:
+    """Whether it stands on what is given by the imaginary unit, with letters that words call real.
+
+    That is meant of some motions only, as in “put a=-ix with real x”.
+    """
+    places = {*rung.claim.scene.definitions.values()}
+    sentences = {one.sentence for one in known.items if one.printed in places}
+    beside = [one for sentence in sentences for one in known.of_sentence(sentence)]
+    real = any(_REAL.search(one.words) for one in beside)
+    return real and any("i" in one.names for one in beside)
 
 
 def _has_basis(rung: Rung, known: Known) -> bool:
@@ -396,6 +416,32 @@ def _is_below_other_rates(item: SourceStatement, known: Known) -> bool:
         )
         for one in others
     )
+
+
+def _is_below_other_energy(item: SourceStatement, known: Known) -> bool:
+    """Whether a Hamiltonian, or a Lagrangian, is printed before it beside that of the law.
+
+    It has the letter of one, perhaps with an index or an accent, and squares of what moves, or of
+    its rates: what is said behind it may be said of another system.
+    """
+    of_laws = {name for law in known.laws for name in law.mentions}
+    energies = (*HAMILTONIANS, *LAGRANGIANS)
+    for one in known.items if of_laws & {*energies} else ():
+        name = one.bare[0] if one.bare and one.members[0] == Name(one.bare[0]) else ""
+        if one.order >= item.order or name in of_laws or len(one.members) != 2:
+            continue
+        letter = replace(symbol(name), index="", accents=(), raised="").name if name else ""
+        if letter in energies and known.roles[one].name == DEFINITION and _has_squares(one, known):
+            return True
+    return False
+
+
+def _has_squares(one: SourceStatement, known: Known) -> bool:
+    """Whether squares of several names that move, or of rates, stand in what an equation gives."""
+    nodes = one.members[1].nodes()
+    bases = {n.base for n in nodes if isinstance(n, Power) and n.exponent == Number(2)}
+    moving = [b for b in bases if isinstance(b, Name) and known.moves(b.name)]
+    return len(moving) > 1 or any(isinstance(base, Derivative) for base in bases)
 
 
 def _is_before_its_law(item: SourceStatement, known: Known) -> bool:

@@ -7,6 +7,7 @@ that of the Hamiltonian. Where a row has a constant that the energy has not, mor
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
@@ -52,7 +53,8 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
         for item in known.items:
             said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
             said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
-            if said and _gives_energy(item, known):
+            said = said or _is_deduced(laws[0], item)
+            if said and _gives_energy(item, laws[0], known):
                 yield from _claims(item, laws[0], known, parts, place)
         if (pair := two_energies(known.items)) is not None:
             yield from _of_two(*pair, laws[0], parts)
@@ -63,15 +65,35 @@ def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
     return all(row.sentence == item.sentence and row.order > item.order for row in law.rows)
 
 
-def _gives_energy(item: SourceStatement, known: Known) -> bool:
-    """Whether a display, or words right before, give one of these by its usual letter."""
+def _is_deduced(law: Law, item: SourceStatement) -> bool:
+    """Whether words deduce a law from what stands before it in its paragraph, as a Hamiltonian."""
+    behind = item.order < law.first.order and law.first.paragraph == item.paragraph
+    named = item.bare[:1] and item.bare[0] in HAMILTONIANS
+    return bool(named and behind and cue("deduced", f"{law.first.before} "))
+
+
+_CALLED = re.compile(
+    r"[\s,~]*(?:be|is|denotes?|[-—–]+)\s+(?:(?:the|our|its|an?)\s+)?(?:\w+\s+)?"
+    r"(?:hamilton|lagrang|функци\w+\s+(?:гамильтон|лагранж)|гамильтониан|лагранжиан)",
+    re.IGNORECASE,
+)
+"""How words begin that call what is printed before them so."""
+
+
+def _gives_energy(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether a display, or words right beside, give one of these by its usual letter."""
     letters = (*LAGRANGIANS, *HAMILTONIANS)
     first = item.members[0] if item.members else None
     return (
         known.roles[item].name == DEFINITION
         and isinstance(first, Name)
         and first.name in letters
-        and not (item.typed.inline and not cue("hamiltonian", item.lead))
+        and bool(
+            not item.typed.inline
+            or cue("hamiltonian", item.lead)
+            or _CALLED.match(item.tail)
+            or _is_deduced(law, item)
+        )
     )
 
 

@@ -337,6 +337,11 @@ _SPECIAL = re.compile(
     re.IGNORECASE,
 )
 """Words for one of many functions."""
+CONSIDER = re.compile(
+    r"\b(?:consider|рассмотрим)(?:\s+\w+){0,3}[\s:~]*(?:\\begin\W.*)?$", re.IGNORECASE
+)
+"""How words end behind which a function is given that is not called an example of several."""
+_EXAMPLE = re.compile(r"\b(?:examples?|instance|case|например|пример\w*|случа\w+)\b", re.IGNORECASE)
 _ENTRY = re.compile(rf"\s*{_LABEL}\s*(?:\$|$)")
 _GENERAL = 2
 """In so many displays a function stands before it has a special value: in a law, and of any.
@@ -356,6 +361,9 @@ def _is_special(name: str, place: int, formulas: Sequence[TypedFormula], text: s
     ]
     applied = sum(any(name == other for other, *_ in _applications(tex)) for tex in before)
     derived = sum(one["name"] == name for tex in before for one in _PARTIAL.finditer(tex))
+    having = [tex for tex in before if re.search(rf"{re.escape(name)}(?![A-Za-z])", tex)]
+    if having == before[-1:] and CONSIDER.search(sentence) and not _EXAMPLE.search(sentence):
+        return False  # only the equation before it has it, and nothing is said of any function
     return max(applied, derived) >= _GENERAL and is_of_case(sentence)
 
 

@@ -25,7 +25,7 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
     if found := known.definitions.get(function) or known.definitions.get(
         known.names.whole(function)
     ):
-        if _defines_anew(item, found, known):
+        if _defines_anew(function, item, found, known):
             return True
         bound = {n for one in found for name in one.printed.heads.names for n in head(name)[1]}
         unclear = any(not _is_clear(n, one, known) for one in found for n in one.names - bound)
@@ -170,12 +170,14 @@ def without_factor(formula: Formula) -> Formula:
     return formula
 
 
-def _defines_anew(item: SourceStatement, found: list[SourceStatement], known: Known) -> bool:
-    """Whether words let a display of another section define a name once more.
+def _defines_anew(
+    name: str, item: SourceStatement, found: list[SourceStatement], known: Known
+) -> bool:
+    """Whether words let a display of another section define a name on its left once more.
 
     In the new variables of a change it is what it was before.
     """
-    if any(item.names & {*law.new} for law in known.laws):
+    if any(item.names & {*law.new} for law in known.laws) or name not in item.members[0].names():
         return False
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)

@@ -9,7 +9,7 @@ from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.free_functions import is_of_case, names_of
+from kowalevski_cas.reading.free_functions import CONSIDER, is_of_case, names_of
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known, StatementRole
 from kowalevski_cas.reading.phrases import reach_of_constants
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
@@ -37,6 +37,9 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
     if not isinstance(first, Name) or item.derives or not is_of_case(item.before):
         return None
     name = first.name
+    once = len(known.later.get(name, ())) == 1 and CONSIDER.search(item.before)
+    if once and name not in known.functions:
+        return None  # it is the only one that is considered
     every = known.functions.get(name, ())
     by = [{*one.by, *known.names.scalars(one.by)} for one in every if one.name == name]
     if by and not any({*known.varying(item.members[1].names())} <= one for one in by):

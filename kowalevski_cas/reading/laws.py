@@ -40,6 +40,11 @@ def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] 
     if rows and second and whole and _needs_momenta(rows, own[0], paper):
         return _with_changes(Law(rows, names, again=(own[0],)), paper, said)
     rows = rows if len(found) < 2 or not whole else ()
+    if rows and not found:
+        among_words = [*_LawFinder(paper, names, said, inline=True).laws()]
+        if among_words and among_words[0].items[-1].order < rows[0].order:
+            if not _leaves_out(rows, among_words[0], paper):
+                return among_words  # the energy is printed behind it
     implied = _with_changes(Law(rows, names), paper, said) if rows else []
     if rows and not whole:
         return implied
@@ -93,6 +98,7 @@ def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -
     if law.orders.keys() <= moving.keys() and len(lower) > 1:
         return True
     alike = {order for row in law.rows for order in row.rates.values()} == {*moving.values()}
+    alike = alike or is_of_second_order(law)
     left = {*moving} - {*law.variables}
     given = {one.bare[0] for one in paper.items if one.bare and left & one.names}
     return alike and {*law.variables} < {*moving} and bool(law.mentions & (left | given))

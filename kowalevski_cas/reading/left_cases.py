@@ -33,7 +33,7 @@ _LEAVES = re.compile(
     r"(?:initial|beginning|motion|position|velocit|speed|amplitude|time|direction|sign|energy|orbit))"
     r"|\bno\s+longer\s+(?:\w+\s+)?(?:assum|suppos|requir|restrict|impos|consider|tru|valid|hold)\w*"
     r"|\bindependent(?:ly)?\s+of\s+(?:the|this|our|these)\s+(?:\w+\s+)?(?:assum|restrict|condition|hypothes|choice)\w*|\bwhether\s+or\s+not\b"
-    r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отказ\w+)\b"
+    r"|\b(?:верн[её]мся|возвращаясь|возвратимся|снимем|отбросим|отка[зж]\w+)\b"
     r"|\b(?:в\s+)?(?:противн|остальн|друг|ин)\w+\s+случа\w+"
     r"|\bбез\s+(?:\w+\s+){0,2}(?:предположени|ограничени|услови)\w*|\bобщ(?:ем|ей|ую|ий|ему)\s+(?:случа|задач|систем)\w*"
     r"|\b(?:im|in)\s+(?:anderen|\w*gegengesetzten|übrigen)\s+F(?:all|ällen)\b|\bdans\s+(?:l['’]autre|les\s+autres|le)\s+cas(?:\s+contraire)?\b(?!\s+(?:o[uù]|de|d['’]))"

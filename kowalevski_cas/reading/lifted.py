@@ -123,17 +123,41 @@ def is_lifted(
         return True
     case = [other for other in assumptions if other.sentence == one.sentence]
     values = {name: value for other in case for name, value in _numbers(other)}
+    equal = {name for other in case for name in _equal(other)}
     between = [
         other
-        for other in (items if values else ())
+        for other in (items if values or equal else ())
         if one.order < other.order < item.order and other.sentence != one.sentence
     ]
-    return any(
+    return _are_told_apart(equal, between) or any(
         _is_denied(other, values)
         or _speaks_of_others(other, values, prose)
         or (_gives_another(other, values) and not _is_aside(other, one, item))
         for other in between
     )
+
+
+_APART = re.compile(
+    r"\b(?:different|distinct|unequal|differ|not\s+(?:all\s+)?(?:equal|the\s+same)|no\s+two|различн\w*|неравны\w*"
+    r"|разны\w*|не\s+равны|не\s+совпада\w+|verschieden\w*|ungleich\w*|diff\S+rents?|distincts?|in[eé]gaux)\b",
+    re.IGNORECASE,
+)
+"""Words for letters that are not equal."""
+
+
+def _are_told_apart(equal: set[str], between: Iterable[SourceStatement]) -> bool:
+    """Whether a sentence names two of the letters that were equal, and says that they differ."""
+    named: dict[tuple[int, int], set[str]] = {}
+    for one in between:
+        if isinstance(one.formula, Name) and _APART.search(one.words):
+            named.setdefault(one.sentence, set()).add(one.formula.name)
+    return any(len(equal & names) > 1 for names in named.values())
+
+
+def _equal(one: SourceStatement) -> Iterator[str]:
+    """The letters of constants that a statement makes equal."""
+    if len(one.members) > 1 and all(isinstance(member, Name) for member in one.members):
+        yield from one.bare
 
 
 def _is_left(one: SourceStatement, item: SourceStatement, prose: Prose) -> bool:

@@ -234,17 +234,19 @@ class Parts:
 
     def _inherited(self, item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
         """What defines names of a statement in the last part of which the law goes on here."""
-        mentioned = {name for law in known.laws for name in law.mentions}
-        met = mentioned | known.definitions.keys()
         own = item.members if integral_words(item) else item.members[:1]
         named = (name for name in item.names if Name(name) not in own)
-        waiting = [name for name in named if name not in met and not known.moves(name)]
-        if not waiting:
+        fresh = [name for name in named if not (name in known.definitions or known.moves(name))]
+        if not fresh:
             return
         place = self.places[item]
         before = [self.known[k] for k in reversed(range(place)) if self._goes_on(k, place)]
         if not before:
             return
+        mentioned = {name for law in known.laws for name in law.mentions}
+        mentioned -= {name for part in before for name in part.varying(mentioned)}
+        met = mentioned | known.definitions.keys()
+        waiting = [name for name in fresh if name not in met]
         while waiting:
             name = waiting.pop()
             if name in met or known.moves(name):

@@ -461,6 +461,10 @@ def is_value(formula: Formula) -> bool:
     )
 
 
+IMPLIES = re.compile(r"[\s~]*(?:would\s+)?(?:impl(?:y|ies)|entails?|forces?|влечёт|влечет)\b")
+"""How words begin that say what would follow from something."""
+
+
 def is_level(item: SourceStatement, known: Known) -> bool:
     """Whether an equation gives a function a value."""
     fixed = [m for m in item.members if not known.varying(m.names())]

@@ -16,10 +16,12 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.deviations import is_linear_in_deviations
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     AT_TIMES,
+    IMPLIES,
     integral_words,
     is_level,
     is_value,
@@ -43,11 +45,18 @@ _KINDS = (("invariant", "invariant"), ("equilibrium", "rest"))
 def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
     """What holds approximately: it is not judged."""
     said = item in known.paper.approximate_here or is_linear_in_deviations(item, known)
+    said = said or _is_linear_near_a_place(item, known)
     if not said or not item.members:
         return None
     if ZERO in item.members and all(m == ZERO or isinstance(m, Name) for m in item.members):
         return None  # it says where, and not what is small there
     return StatementRole(CLAIM, "the words before say that it holds approximately", "approximate")
+
+
+def _is_linear_near_a_place(item: SourceStatement, known: Known) -> bool:
+    """Whether words call rates linear near a place, where the law is not: its letters deviate."""
+    near = cue("place", item.before) and cue("linear", item.before)
+    return bool(near and item.derives) and not all(is_linear(law, known) for law in known.laws)
 
 
 def solution(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -284,9 +293,16 @@ def _is_on_level(item: SourceStatement, known: Known) -> bool:
     return False
 
 
+_CONSEQUENCE = re.compile(
+    r"§[\s~]+(?:would\s+)?(?:impl(?:y|ies)|entails?|forces?|влеч[её]т)(?:\s+that)?[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands what follows from what is supposed right before."""
+
+
 def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
     """Equations of a set: what vanishes, or has a value, without being so identically."""
-    if not item.members or item.derives:
+    if not item.members or item.derives or _CONSEQUENCE.search(item.before):
         return None
     if _is_on_level(item, known):
         return StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item))
@@ -302,7 +318,8 @@ def zero_set(item: SourceStatement, known: Known) -> StatementRole | None:
             said = cue(words, item.words)
             if said and (all(map(known.moves, others)) or kind == "invariant"):
                 return StatementRole(CLAIM, f"“{said}” in its sentence", kind)
-        return StatementRole(ASSUMPTION, "a set that the text speaks of", reach(item))
+        kind = "set of the sentence" if IMPLIES.match(item.tail) else reach(item)
+        return StatementRole(ASSUMPTION, "a set that the text speaks of", kind)
     return StatementRole(CLAIM, "a value that is taken somewhere", "somewhere")
 
 

@@ -227,7 +227,9 @@ def _has_differentials(item: SourceStatement, known: Known) -> bool:
     return re.search(rf"(?<![A-Za-z\\])d\s*(?:{varying})", item.printed.tex) is not None
 
 
-_ONE_CLAUSE = re.compile(r"[,;:]|\b(?:and(?!\s+only)|but|и(?!\s+только)|но)\b")
+_ONE_CLAUSE = re.compile(
+    r"[,;:]|\b(?:and(?!\s+only)|but|so|hence|thus|therefore|и(?!\s+только)|но|поэтому|так\s+что)\b"
+)
 """What ends a clause, but for “if and only if”."""
 
 

@@ -11,6 +11,7 @@ from kowalevski_cas.reading.fresh import is_place_of
 from kowalevski_cas.reading.hypotheses import set_right_before
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
+    IMPLIES,
     PUT,
     is_number,
     is_value,
@@ -298,6 +299,9 @@ def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None
     """An equation with rates of which the clause before it says that it may hold sometimes."""
     if not item.derives or not item.members or not known.varying(item.names):
         return None
+    if Number(0) in item.members and item.typed.inline and (said := IMPLIES.match(item.tail)):
+        why = f"“{said[0].strip()}”: it is supposed of some motions"
+        return StatementRole(ASSUMPTION, why, "set of the sentence")
     if Number(0) in item.members and item.typed.inline and (put := PUT.search(item.lead)):
         why = f"“{put[0].strip()}” supposes it of some motions"
         return StatementRole(ASSUMPTION, why, "set of the sentence")

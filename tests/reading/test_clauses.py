@@ -117,3 +117,23 @@ def test_a_value_is_no_more_supposed_of_what_is_arbitrary(words):
     [(found, on)] = verdicts(text.replace("WORDS", words))
     assert found != "proved" and not on
     assert verdicts(text.replace("In what follows $c$ WORDS. ", "")) == [("proved", ["c=0"])]
+
+
+RATES = r"Put $F=x^2+y^2$ and $G=z^2$. "
+
+
+@pytest.mark.parametrize(
+    ("sentence", "greens"),
+    [
+        (r"Then $\dot F=2(ax^2+by^2)$ and, if $c=0$, \[\dot G=0 .\]", ["proved", "proved"]),
+        (r"Then $\dot F=2ax^2$ and, if $b=0$, \[\dot F=2ax^2 .\]", ["undecided", "proved"]),
+        (
+            r"If $c=0$, then $z$ is constant; otherwise $z$ is constant too.",
+            ["proved", "undecided"],
+        ),
+        (r"Если $c=0$, то $z$ постоянно, иначе $z$ --- первый интеграл.", ["proved", "undecided"]),
+        (r"If $c=0$, then $z$ is constant; otherwise $\dot z=cz$.", ["proved", "proved"]),
+    ],
+)
+def test_a_condition_is_of_what_is_right_behind_it_and_of_nothing_otherwise(sentence, greens):
+    assert [verdict for verdict, _ in verdicts(RATES + sentence)] == greens

@@ -3,6 +3,7 @@ r"""Constraints with a printed multiplier: the motion is on them, and the printe
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
+from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
@@ -204,3 +205,19 @@ def test_a_constraint_may_stand_behind_the_law():
     text = r"""The bead has \begin{equation}\ddot x=\lambda x,\qquad\ddot y=\lambda y-g.\end{equation}
     It moves on the circle $x^2+y^2=1$. The energy $h=\frac12(\dot x^2+\dot y^2)+gy$ is constant."""
     assert [one.verdict for one in audited(text).formulas if one.claims] == ["conditional"]
+
+
+TOGETHER = r"""The equations of motion are \[\dot x_i=y_i,\quad \dot y_i=-a_ix_i+\nu x_i,\quad i=1,2,\]
+\[\nu=a_1x_1^2+a_2x_2^2-y_1^2-y_2^2,\] together with the constraints $x_1^2+x_2^2=1$ and $x_1y_1+x_2y_2=0$. """
+
+
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_the_motion_is_on_what_words_behind_a_law_call_constraints(sign, green):
+    claim = rf"\section{{Energy}} The energy \[H=\frac12(y_1^2+y_2^2{sign}a_1x_1^2{sign}a_2x_2^2)\] is conserved."
+    *_, last = verdicts(TOGETHER + claim).values()
+    assert last.green is green
+
+
+def test_rates_that_words_call_linear_near_a_place_are_no_equations_of_motion():
+    claim = r"\section{Rest} Near $x=(1,0)$ the linear equation is \[\ddot x_2=-(a_2-a_1)x_2 .\]"
+    assert not any(one is Verdict.REFUTED for one in verdicts(TOGETHER + claim).values())

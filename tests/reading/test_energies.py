@@ -194,3 +194,61 @@ def test_coordinates_and_momenta_say_that_it_is_a_hamiltonian():
 )
 def test_other_energies_move_nothing(text):
     assert not any(one.green for one in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (
+            r"Let $H=\frac12p^2+\frac12q^2$ be the Hamiltonian. The canonical equations are $\dot q=p$, $\dot p=%s$.",
+            "-q",
+            ["q", "-2q"],
+        ),
+        (
+            r"Let $H=\frac12p^2+U(q)$ with $U=\frac14q^4$. Hence \[\dot q=p,\qquad \dot p=%s .\]",
+            "-q^3",
+            ["-q^2", "q^3"],
+        ),
+    ],
+)
+def test_a_hamiltonian_in_words_behind_it_or_from_which_a_law_is_deduced(text, right, wrong):
+    assert [one.verdict.green for one in ends(text % right)] == [True, True]
+    for one in wrong:
+        assert [end.verdict.green for end in ends(text % one)] == [True, False]
+
+
+def test_a_law_with_another_force_is_not_that_of_the_energy_before_it():
+    text = r"Let $H=\frac12p^2+\frac14q^4$. With friction we thus have \[\dot q=p,\qquad \dot p=-q^3-cp .\]"
+    assert not ends(text)
+
+
+PAIR = r"""Two particles have the Hamiltonian \[ H=\frac12(p_1^2+p_2^2)+\frac{g^2}{(x_1-x_2)^2} .\]
+Thus for the first one \[ \ddot x_1=\frac{2g^2}{(x_1-x_2)^3} .\] """
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"Let $I=x_1^2+x_2^2$. Then \[ \ddot I=4H .\]", True),
+        (r"Let $I=x_1^2+x_2^2$. Lagrange's identity gives \[ \ddot I=4H .\]", True),
+        (r"Let $I=x_1^2+x_2^2$. Then \[ \ddot I=2H .\]", False),
+        (r"The moment \[ J=x_1+x_2-t(p_1+p_2) \] is an integral.", True),
+        (r"The moment \[ J=x_1-x_2-t(p_1-p_2) \] is an integral.", False),
+    ],
+)
+def test_one_of_several_equations_of_newton_is_not_the_law_beside_a_hamiltonian(claim, green):
+    *_, last = verdicts(PAIR + claim).values()
+    assert last.green is green
+
+
+def test_behind_another_hamiltonian_nothing_is_refuted_by_the_first():
+    more = r"""\section{Two bodies} Let \[ H_0=\frac12(p_1^2+p_2^2)+\frac12k(x_1-x_2)^2 .\]
+    The distance $r=x_1-x_2$ obeys \[ \ddot r=-2kr .\]"""
+    *_, last = verdicts(PAIR + more).values()
+    assert last is Verdict.UNDECIDED
+
+
+def test_an_energy_behind_equations_among_words_is_not_their_law():
+    text = r"Let $\dot q=p$, $\dot p=-q$. The transformation $Q=%sq$, $P=p$ is canonical, and $H=\frac12(P^2+Q^2)$ is conserved."
+    assert [one.green for one in verdicts(text % "2").values()] == [False]
+    assert [one.green for one in verdicts(text % "").values()] == [True]

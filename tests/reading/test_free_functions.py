@@ -232,3 +232,17 @@ def test_a_letter_that_a_later_system_makes_a_function_was_a_constant_before(sai
 def test_what_varies_by_words_of_the_same_system_varies_everywhere():
     later = r"\section{Remark} The stiffness $k$ varies with time."
     assert [one.green for one in verdicts(FIRST + later).values()] == [False]
+
+
+BODY = r"""With $\mathbf M=(M_1,M_2,M_3)$ and $\mathbf P=(P_1,P_2,P_3)$ Kirchhoff's equations are
+\[ \dot{\mathbf M}=\mathbf M\times\frac{\partial H}{\partial\mathbf M}+\mathbf P\times\frac{\partial H}{\partial\mathbf P},\qquad
+\dot{\mathbf P}=\mathbf P\times\frac{\partial H}{\partial\mathbf M} .\]
+%s \[ H=\frac12\left(a_1M_1^2+a_2M_2^2+a_3M_3^2\right)+\frac12\left(c_1P_1^2+c_2P_2^2+c_3P_3^2\right) .\] """
+
+
+@pytest.mark.parametrize(
+    ("words", "green"), [("If $a_1=a_2$ and $c_1=c_2$,", True), ("If $a_1=a_2$,", False)]
+)
+def test_the_only_function_that_is_considered_is_that_of_the_law(words, green):
+    claim = rf"\begin{{theorem}} {words} then $M_3$ is an integral. \end{{theorem}}"
+    assert [one.green for one in verdicts(BODY % "We consider" + claim).values()] == [green]

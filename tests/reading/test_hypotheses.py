@@ -2,8 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.verify.outcome import Verdict
-from tests.reading.test_reading import verdicts
+from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
 HOLDS = r"""Let $ab\ne0$. The motion is $$\dot x=ay,\quad \dot y=bx,\quad \dot z=z(x-y).$$
@@ -107,3 +108,50 @@ def test_that_two_integrals_are_tied_is_supposed_and_not_claimed(words):
 def test_elsewhere_they_are_not_tied(words):
     found = verdicts(rf"{TOP}{words} \[ A(A-B)p^2=C(B-C)r^2 .\]")
     assert not found["A(A-B)p^2=C(B-C)r^2"].green
+
+
+BATH = r"The system is \[\dot x=p,\qquad \dot p=-x-zp,\qquad Q\dot z=p^2-1 .\] "
+
+
+@pytest.mark.parametrize(
+    ("words", "greens"),
+    [
+        (
+            r"There is no equilibrium: $\dot x=0$ implies $p=0$, and then $\dot z=-1/Q\ne0$.",
+            [True, True],
+        ),
+        (
+            r"There is no equilibrium: $\dot x=0$ implies $p=1$, and then $\dot z=-1/Q\ne0$.",
+            [False, True],
+        ),
+        (r"Here $p=0$ implies $\dot x=0$.", [True]),
+        (r"Here $p=0$ implies $\dot p=0$.", [False]),
+        (r"Here $p=0$ implies $\dot p=-x$. The function $p$ satisfies $\dot p=-x$.", [True, False]),
+        (r"Here $p=0$ влечёт $\dot x=0$.", [True]),
+    ],
+)
+def test_what_implies_something_is_supposed_there_alone(words, greens):
+    found = reading(BATH + words)
+    outcomes = ReadingSession(found, timeout=20).outcomes
+    assert [outcomes[f.claim.id].verdict.green for f in found.formulas if f.claim] == greens
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "If we adjoin the equation $\\dot s=z$,",
+        "Let us append the equation $\\dot s=z$; then",
+        "Присоединим уравнение $\\dot s=z$; тогда",
+    ],
+)
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_an_equation_may_be_adjoined_among_words(words, sign, green):
+    claim = rf" the function \[ W=\frac12(x^2+p^2+Qz^2){sign}s \] is an integral."
+    *_, last = verdicts(BATH + words + claim).values()
+    assert last.green is green
+
+
+def test_what_is_put_for_complex_variables_with_real_letters_refutes_nothing():
+    text = r"""Let \[ i\dot a=Vbc,\qquad i\dot b=Va\bar c,\qquad i\dot c=Va\bar b .\]
+    Put $a=-ix$, $b=y$, $c=z$ with real $x,y,z$. Then $y^2-z^2$ is a first integral."""
+    assert not any(one is Verdict.REFUTED for one in verdicts(text).values())

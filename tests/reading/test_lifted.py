@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.reading.test_reading import verdicts
+from kowalevski_cas.audit.reading import ReadingSession
+from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
 DAMPED = r"""The equations are $\dot x=y$, $\dot y=ax-x^3-by$.
@@ -98,3 +99,26 @@ def test_a_formula_with_a_letter_is_not_said_where_that_is_zero(rate, green):
         verdicts(rf"{DAMPED} Let $b=0$. Then ${RATE[1:-1]}$. We have ${rate}$.")[rate].green
         == green
     )
+
+
+BODY = r"Euler's equations are $A\dot p=(B-C)qr$, $B\dot q=(C-A)rp$, $C\dot r=(A-B)pq$. "
+APART = [
+    "Let $A=B$; then $r$ is constant. Let now $A$, $B$, $C$ be different from each other. Then $r$ is a first integral.",
+    "Suppose $A=B$; then $r$ is constant. Suppose now that $A$ and $B$ are unequal. Then $r$ is a first integral.",
+    "Let $A=B$; then $r$ is constant. Let $A$ and $B$ be distinct. Then $r$ is a first integral.",
+    "Пусть $A=B$; тогда $r$ постоянно. Пусть теперь $A$, $B$, $C$ различны. Тогда $r$ --- первый интеграл.",
+    "Пусть $A=B$; тогда $r$ постоянно. Откажемся от этого условия. Тогда $r$ --- первый интеграл.",
+]
+
+
+@pytest.mark.parametrize("text", APART)
+def test_letters_that_differ_are_equal_no_more(text):
+    found = reading(BODY + text)
+    outcomes = ReadingSession(found, timeout=20).outcomes
+    assert [outcomes[f.claim.id].verdict.green for f in found.formulas if f.claim] == [True, False]
+
+
+@pytest.mark.parametrize("pair", ["$B$ and $C$", "$A$ and $C$"])
+def test_other_letters_that_differ_lift_nothing(pair):
+    text = rf"Let $A=B$. Then the body is symmetric. Let {pair} be distinct. Then $r$ is a first integral."
+    assert [one.green for one in verdicts(BODY + text).values()] == [True]

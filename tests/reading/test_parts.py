@@ -195,3 +195,15 @@ def test_what_is_said_of_an_approximate_equation_is_not_judged_by_the_exact_one(
     \section{{Small}} Replacing $\sin u$ by $u$ we obtain the linear equation $\ddot u=-u$.
     {whose} ${energy}$ is constant."""
     assert not any(one.green for tex, one in verdicts(text).items() if "frac" in tex)
+
+
+POLE = r"""With $\bm r=(x,y,z)$, $r=|\bm r|$ and $\bm v=\dot{\bm r}$ let \[\ddot{\bm r}=\frac k{r^3}\,\bm v\times\bm r .\]
+The speed $|\bm v|$ is constant. We add a Coulomb force:
+\begin{equation}\label{two} \ddot{\bm r}=\frac k{r^3}\,\bm v\times\bm r-\frac{a\bm r}{r^3} .\end{equation} """
+
+
+@pytest.mark.parametrize(("power", "green"), [("r", True), ("r^2", False)])
+def test_what_moves_keeps_its_other_names_where_a_force_is_added(power, green):
+    claim = rf"For \eqref{{two}} the energy $E=\frac12\bm v^2-\frac a{{{power}}}$ is conserved."
+    *_, last = verdicts(POLE + claim).values()
+    assert last.green is green

@@ -88,3 +88,51 @@ def test_the_value_of_an_invariant_is_no_invariant_set():
     text = r"""Consider the map \[x'=y,\qquad y'=-x.\] The function $I=x^2+y^2$ is an invariant of the map.
     The value of the invariant is \[I=c-1\] there."""
     assert not any(one.green for tex, one in verdicts(text).items() if tex == "I=c-1")
+
+
+AREAS = r"""Let \[4\dot p=3qr,\ 4\dot q=-3pr-ac,\ \dot r=ab,\ \dot a_1=rb-qc,\ \dot b=pc-ra_1,\ \dot c=qa_1-pb .\]
+The function \[ k=4pa_1+4qb+rc \] is a first integral. Let $G=r(p^2+q^2)+apc$. Then \[ \dot G=\frac a4kq .\] """
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        ("If $k=0$, the function $G=r(p^2+q^2)+apc$ is a first integral.", True),
+        ("При $k=0$ функция $G=r(p^2+q^2)+apc$ является первым интегралом.", True),
+        ("The function $G=r(p^2+q^2)+apc$ is a first integral.", False),
+    ],
+)
+def test_a_function_that_is_printed_once_more_may_be_called_an_integral(words, green):
+    *_, last = verdicts(AREAS + words).values()
+    assert last.green is green
+
+
+def test_a_function_that_is_printed_once_more_may_be_called_none():
+    found = verdicts(AREAS + "The function $G=r(p^2+q^2)+apc$ is not a first integral.")
+    assert r"G=r(p^2+q^2)+apc" not in found
+
+
+DISKS = r"Two disks obey \[\dot x=-mx+zy,\quad \dot y=-my+(z-a)x,\quad \dot z=1-xy .\] "
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"If $a=0$, then $(x^2-y^2)e^{2mt}$ is an integral that depends on time.", True),
+        (r"If $a=0$, then $(x^2-y^2)e^{mt}$ is an integral that depends on time.", False),
+        (r"Then $(x^2-y^2)e^{2mt}$ is an integral that depends on time.", False),
+    ],
+)
+def test_an_integral_may_depend_on_the_time_in_some_case(words, green):
+    *_, last = verdicts(DISKS + words).values()
+    assert last.green is green
+
+
+FIELD = r"Consider \[ H=\frac12\left(p_x^2+p_y^2\right)-\frac m{\sqrt{x^2+y^2}}+fx .\] Let $L=xp_y-yp_x$. "
+
+
+@pytest.mark.parametrize(("rate", "green"), [("fy", True), ("-fy", False)])
+def test_only_of_a_later_clause_is_not_said_of_an_equation(rate, green):
+    words = rf"We have \[ \dot L={rate} ,\] so the moment is preserved only when there is no field."
+    found = verdicts(FIELD + words)
+    assert found[rf"\dot L={rate}"].green is green
