@@ -325,7 +325,11 @@ def joined_tail(item: SourceStatement) -> str:
 _MAKES = re.compile(
     r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
 )
-_SO = re.compile(r"\bso\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$")
+_SO = re.compile(
+    r"\bso\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$"
+    r"|\bas\s+(?:is|are)(?:\s+(?:also|the|its|their|both|functions?|quantit(?:y|ies)|products?|sums?"
+    r"|differences?|moment(?:um|a)|energ(?:y|ies)|components?))*[\s~]*$"
+)
 """How words end behind which stands what is the same as what was spoken of before."""
 _LISTS = re.compile(
     r"\b(?:has|have|admits?|possess(?:es)?|by|are|is|namely|following|име[её]т|имеют|допуска\w+|на)\b"

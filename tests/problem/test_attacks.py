@@ -248,6 +248,9 @@ class TestMotion:
 
     def test_a_derivative_without_a_field(self):
         rejected([XY], [follows([["D", 1], 0])], [self.POINT], "no vector field")
+        still = {"variables": [], "constants": ["a"]}
+        rejected([still], [follows([["D", "a"], 1])], [{"point": at(a=1)}], "not equal")
+        accepted([still], [follows([["D", "a"], 0])], [{"point": at(a=1)}])
 
     def test_a_variable_that_is_set_to_a_number_where_it_moves(self):
         """The formula x and its square are two, but say nothing of y, which is held fixed."""

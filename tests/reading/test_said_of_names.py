@@ -136,3 +136,18 @@ def test_only_of_a_later_clause_is_not_said_of_an_equation(rate, green):
     words = rf"We have \[ \dot L={rate} ,\] so the moment is preserved only when there is no field."
     found = verdicts(FIELD + words)
     assert found[rf"\dot L={rate}"].green is green
+
+
+TRIAD = r"Let $\dot x=yz$, $\dot y=-xz$, $\dot z=-xy$. The function $x^2+y^2$ is an integral"
+
+
+@pytest.mark.parametrize(
+    ("words", "greens"),
+    [
+        (", as is $y^2-z^2$.", [True, True]),
+        (", as is $y^2+z^2$.", [True, False]),
+        ("; as is well known, $y^2+z^2$ is positive.", [True]),
+    ],
+)
+def test_what_is_an_integral_as_another_function_is(words, greens):
+    assert [one.green for one in verdicts(TRIAD + words).values()] == greens

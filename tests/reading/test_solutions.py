@@ -135,3 +135,10 @@ def test_a_solution_may_be_given_by_the_value_of_an_integral(text, green):
     assert integral.green
     assert {one.green for one in given} == {True} if green else not all(one.green for one in given)
     assert green is False or Verdict.REFUTED not in given
+
+
+@pytest.mark.parametrize(("state", "green"), [("y=z=0", True), ("y=1, z=0", False)])
+def test_a_motion_on_which_all_is_constant_is_a_solution(state, green):
+    law = r"Let $\dot x=yz$, $\dot y=-xz$, $\dot z=xy$. "
+    found = verdicts(law + rf"The state $x=A$, ${state}$ is a solution.")
+    assert all(one.green for one in found.values()) is green

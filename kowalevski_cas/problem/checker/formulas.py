@@ -205,10 +205,9 @@ class Formulas(Divisors):
         return change * generator * self.inverse(generator * generator + generator * generator)
 
     def derivative(self, element: Element) -> Element:
-        """The derivative along the vector field."""
-        if self.rates is None:
-            raise Rejected("there is no vector field")
-        return self.along(element, self.rates)
+        """The derivative along the vector field; where there are no variables, all is constant."""
+        need(self.rates is not None or not self.variables, "there is no vector field")
+        return self.along(element, self.rates or {})
 
     def partial(self, name: Json, tree: Json) -> Element:
         """A partial derivative; other variables and constants stay."""
