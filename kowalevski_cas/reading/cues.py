@@ -285,7 +285,8 @@ CUES: dict[str, str] = {
         now\s+consider reduced\s+(?:system|equations) in\s+polar\s+coordinates another\s+system
         \b(?:adjoin\w*|append\w*|supplement\w*)\s+(?:\w+\s+){0,4}?equations?[\s~]*$
         присоедин\w+\s+(?:\w+\s+)?уравнени\w+[\s~]*$
-        obey\w* governed\s+by described\s+by euler\w*\s+equations hamilton\w*\s+equations
+        obey\w* governed\s+by described\s+by \bmoves?\s+(?:by|according\s+to)[\s~]*$
+        euler\w*\s+equations hamilton\w*\s+equations
         уравнени\w+\s+движени\w+ систем\w+ уравнени\w+ описыва\w+""",
     "another system": r"""
         now\s+(?:\w+\s+){0,2}consider \breduced\b \blimit\b polar\s+coordinates

@@ -185,7 +185,7 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     if not all(is_value(one, known) for one in last):
         return ()
     moving = [name for law in known.laws for row in law.rows for name in row.rates]
-    names = {name for one in last for name in one.bare} & {*moving}
+    names = {*known.names.scalars(name for one in last for name in one.bare)} & {*moving}
     words = known.paper.prose.between(item.section.start, item.sentence[1])
     if not last and _ORIGIN.search(item.before):
         names = {*moving}
@@ -194,6 +194,8 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     orders = {name: n for law in known.laws for row in law.rows for name, n in row.rates.items()}
     zero = [] if last else sorted(names)
     zero += [rate_name(name) for name in sorted(names) if orders[name] > 1]
+    if last and names < {*moving}:  # all else is at rest there, too
+        zero += [rf"\dot{{{name}}}" for name in sorted(names) if orders[name] == 1]
     about = (
         unprinted(known.paper, f"at-rest-{k}", f"{name}=0", item) for k, name in enumerate(zero)
     )

@@ -367,9 +367,17 @@ def right_behind(item: SourceStatement) -> str:
     return _CLAUSE.split(item.tail[:40], maxsplit=1)[0]
 
 
+_ASIDE = re.compile(
+    r"\s*,\s*(?:however|therefore|thus|hence|then|again|too|also|of\s+course|obviously|clearly|evidently|as\s+before"
+    r"|однако|следовательно|поэтому|очевидно|конечно)\s*,",
+    re.IGNORECASE,
+)
+"""Words between commas that say nothing of what they stand in."""
+
+
 def words_behind(item: SourceStatement, name: str) -> str:
     """The words right behind a statement by which it is said to be something."""
-    tail = joined_tail(item)[:80]
+    tail = _ASIDE.sub("", joined_tail(item))[:80]
     if not (VERB.match(tail) or _MAKES.match(tail)):
         return ""
     return cue(name, _CLAUSE.split(tail, maxsplit=1)[0])

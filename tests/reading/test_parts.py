@@ -207,3 +207,13 @@ def test_what_moves_keeps_its_other_names_where_a_force_is_added(power, green):
     claim = rf"For \eqref{{two}} the energy $E=\frac12\bm v^2-\frac a{{{power}}}$ is conserved."
     *_, last = verdicts(POLE + claim).values()
     assert last.green is green
+
+
+def test_a_law_among_words_is_followed_by_one_with_another_force():
+    text = r"""A body moves by $\ddot x=-x$. The energy $E=\frac12\dot x^2+\frac12x^2$ is conserved. Now add a cubic
+    force: \[ \ddot x=-x-x^3 .\] For it the function $W=\frac12\dot x^2+\frac12x^2+\frac14x^4$ is conserved."""
+    assert [one.green for one in verdicts(text).values()] == [True, True]
+    first, second = verdicts(
+        text.replace("+\\frac14x^4", "+\\frac12x^4").replace("E=\\frac12", "E=")
+    ).values()
+    assert not first.green and not second.green

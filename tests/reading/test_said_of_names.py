@@ -151,3 +151,12 @@ TRIAD = r"Let $\dot x=yz$, $\dot y=-xz$, $\dot z=-xy$. The function $x^2+y^2$ is
 )
 def test_what_is_an_integral_as_another_function_is(words, greens):
     assert [one.green for one in verdicts(TRIAD + words).values()] == greens
+
+
+@pytest.mark.parametrize("aside", ["", ", however,", ", of course,", ", therefore,"])
+@pytest.mark.parametrize(("name", "green"), [("u", True), ("v", False)])
+def test_words_between_commas_say_nothing(aside, name, green):
+    assert [
+        one.green
+        for one in verdicts(FREE + f"The function ${name}$ is{aside} an integral.").values()
+    ] == [green]

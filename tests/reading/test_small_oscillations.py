@@ -189,3 +189,12 @@ def test_eigenvalues_of_accelerations_are_never_red():
 def test_of_damped_oscillations_another_frequency_may_be_meant(words):
     linear = SWING + r"Near $u=0$ we have to the first order \[ \ddot u+c\dot u+nu=0 .\] "
     assert last(linear + words + r" \[ \nu=\sqrt{n-\frac{c^2}4} .\]") is None
+
+
+VELOCITIES = r"Let \[\dot x=u,\quad \dot y=v,\quad \dot u=x-x^3+yv,\quad \dot v=-2y .\] "
+
+
+@pytest.mark.parametrize(("rate", "green"), [("-2(x-1)", True), ("2(x-1)", False), ("-2x", False)])
+def test_velocities_vanish_at_a_place_of_which_words_give_the_coordinates(rate, green):
+    text = rf"Near $x=1$, $y=0$ the linear equation is \[\ddot x={rate} .\]"
+    assert [one.green for one in verdicts(VELOCITIES + text).values()] == [green]
