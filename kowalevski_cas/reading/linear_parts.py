@@ -275,7 +275,7 @@ def _at_both(
     plus: Sequence[Formula], minus: Sequence[Formula], item: SourceStatement, law: Law, known: Known
 ) -> tuple[SourceStatement, ...]:
     """The equations of two points at once: a letter of which the square is 1 is the sign."""
-    if len(plus) != len(minus):
+    if len(plus) != len(minus) or SIGN in known.paper.words.scalars:
         return ()
     two = Number(2)
     mixed = [
