@@ -274,6 +274,13 @@ def together(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_SOLUTION = re.compile(
+    r"\b(?:solutions?|решени\w+)\s*(?:(?:then|is|are|reads?|имеет\s+вид|—)\s*)*[\s:,~§]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which solutions are printed, perhaps with others before it."""
+
+
 def change(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""New names for the parts of what moves, as :math:`v=v_0+\zeta`."""
     for law in known.laws:
@@ -290,7 +297,8 @@ def change(item: SourceStatement, known: Known) -> StatementRole | None:
     said = cue("define", item.lead)
     if "t" not in item.names:  # else it is a solution
         said = said or cue("suppose", item.lead)
-    if cue("equilibrium", item.words) or len(item.members) != 2:
+    solved = "t" in item.names and _SOLUTION.search(item.before)
+    if cue("equilibrium", item.words) or solved or len(item.members) != 2:
         return None  # that is a point, or a solution
     if first and new and said and not item.derives:
         if known.moves(known.names.whole(first)) or first.endswith("_i"):

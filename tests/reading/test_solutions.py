@@ -142,3 +142,15 @@ def test_a_motion_on_which_all_is_constant_is_a_solution(state, green):
     law = r"Let $\dot x=yz$, $\dot y=-xz$, $\dot z=xy$. "
     found = verdicts(law + rf"The state $x=A$, ${state}$ is a solution.")
     assert all(one.green for one in found.values()) is green
+
+
+@pytest.mark.parametrize(("x", "green"), [(r"\frac k{t^2}", True), (r"\frac k{t^3}", False)])
+@pytest.mark.parametrize("words", ["with the solution", "and its solutions are", "The solution is"])
+def test_all_that_moves_may_be_given_with_a_new_constant(x, green, words):
+    law = r"Let $\dot x=yz-x(y+z)$, $\dot y=zx-y(z+x)$, $\dot z=xy-z(x+y)$. On the invariant plane $y=z$ we have \[\dot y=-y^2\] "
+    found = verdicts(
+        law + rf"{words} \[y=z=\frac1t,\qquad x=\frac1t+{x},\] where $k$ is an arbitrary constant."
+    )
+    rate, *given = found.values()
+    assert rate.green
+    assert {one.green for one in given} == {green}
