@@ -59,7 +59,8 @@ CUES: dict[str, str] = {
         provided choos\w+ choice as\s+long\s+as
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b
         (?<!involution\s)(?<!commutes\s)(?<!coincides\s)(?<!agrees\s)(?<!identical\s)\bwith\b(?!\s+respect)
-        on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полож\w+ полага\w+ если при\s*$ допуст\w+
+        on\s+the\s+(?:\w+\s+)?levels? пусть предполож\w+ полага\w+ если при\s*$ допуст\w+
+        \bположи(?:м|в|вши|ть)\b
         \bпотребуем\b \bтребуя\b \bналож(?:им|ив)\b \bналагая\b \bподчиним\b
         в\s+случае \bпока\b будем\s+считать считая возьм\w+ выбер\w+ \bпри\b""",
     "ansatz": r"""
@@ -70,8 +71,8 @@ CUES: dict[str, str] = {
     "define": r"""
         \blet\b denot\w+ defin\w+ introduc\w+ \bput\b(?!\s+together) \bset\b notation
         \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?
-        abbreviat\w+ stands?\s+for \bwith\s+the\b обознач\w+ введ\w+ вводя полож\w+ пусть \bгде\b
-        \bздесь\b определ\w+ в\s+переменных""",
+        abbreviat\w+ stands?\s+for \bwith\s+the\b обознач\w+ введ\w+ вводя пусть \bгде\b
+        \bположи(?:м|в|вши|ть)\b \bздесь\b определ\w+ в\s+переменных""",
     "in this part": r"""
         \bin\s+this\s+(?:section|chapter|subsection|part|case) \bhere\b
         в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b

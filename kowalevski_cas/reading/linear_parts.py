@@ -11,11 +11,13 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     Quotient,
+    Relation,
     Vector,
     times,
     to_latex,
     total,
 )
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import is_linear
 from kowalevski_cas.reading.hypotheses import is_value
@@ -45,17 +47,41 @@ _OF = (
 _VALUES = (
     r"(?:eigenvalues?|characteristic\s+(?:roots?|exponents?|values?)"
     r"|roots?\s+of\s+(?:the\s+|its\s+)?characteristic\s+(?:equation|polynomial)"
-    rf"|собственн\w+\s+(?:числ\w+|значени\w+)){_OF}"
+    r"|корн\w+\s+характеристическ\w+\s+(?:уравнени|многочлен|полином)\w+"
+    r"|корень\s+характеристическ\w+\s+(?:уравнени|многочлен|полином)\w+"
+    rf"|собственн\w+\s+(?:числ\w+|значени\w+)|характеристическ\w+\s+(?:числ|показател|корн)\w+){_OF}"
 )
+_OF_VALUES = re.compile(
+    r"\b(?:sums?|products?|parts?|modul(?:us|i)|absolute\s+values?|squares?|numbers?|signs?|ratios?|differences?"
+    r"|multiplicit(?:y|ies)|сумм\w+|произведени\w+|част[ьи]|модул\w+|квадрат\w*|разност\w+|отношени\w+|количеств\w+)"
+    rf"\s+(?:of\s+)?(?:(?:the|all|both|its|these|two|three|other)\s+)*(?:\w+\s+)?{_VALUES}",
+    re.IGNORECASE,
+)
+"""Words for what is made of eigenvalues, and is none itself."""
+_NOUN = (
+    r"(?:equilibri\w+|points?|positions?|states?"
+    r"|точ(?:к\w+|ек)|положени\w+|равновеси\w+|состояни\w+)"
+)
+_KIND_OF = (
+    r"(?:the|this|each|of|rest|steady|fixed|interior|trivial|singular|stationary|critical|other"
+    rf"|{_NOUN})"
+)
+_WHERE = r"(?P<where>origin|начал\w\s+координат|§)"
 _AT = (
-    r"(?:at|in|в)\s+(?:(?:the|this|each|точке|точек|equilibri\w+|points?|positions?|of|rest|steady|fixed"
-    r"|interior|trivial|singular|stationary|critical|state|положени\w+|равновеси\w+)\s+)*"
-    r"(?P<where>origin|начале\s+координат|§)"
+    rf"(?:(?:at|in|в)\s+|(?:for|of|для)\s+(?=(?:{_KIND_OF}[\s~]+)*(?:origin|начал|{_NOUN}[\s~]+§)))"
+    rf"(?:{_KIND_OF}[\s~]+)*{_WHERE}"
 )
+_AT_ANY = rf"(?:at|in|for|of|в|для)\s+(?:{_KIND_OF}[\s~]+)*{_WHERE}"
+_HERE = (
+    r"(?:there|at\s+(?:it|them)|(?:at|in|for|of)\s+(?:this|that|these|those|each\s+of\s+these|such(?:\s+an?)?)\s+(?:\w+\s+)?"
+    rf"(?:{_NOUN}|rotations?|motions?)(?:\s+of\s+(?:rest|equilibrium))?"
+    rf"|(?:в|для)\s+(?:этой|этом|этих|этого|такой|таком|таких|такого)\s+(?:\w+\s+)?(?:{_NOUN}|вращени\w+|движени\w+))"
+)
+"""Words for the place that was named before."""
 _AND = re.compile(
     r"[\s,]*(?:,|\band|\bor|\bи)\s*(?:at\s+)?(?:the\s+)?(?:points?\s+)?§", re.IGNORECASE
 )
-_IS = r"(?:are|is|equals?|суть|равны|[-—–]+)\s*:?"
+_IS = r"(?:are|is|equals?|суть|равны|рав[её]н|равно|[-—–]+)\s*:?"
 _MATRIX = (
     r"(?:Jacobian(?:\s+matrix)?|Jacobi\s+matrix|linear\s+part|lineari[sz]ation"
     r"|lineari[sz]ed\s+(?:system|equations?|field)|matrix\s+of\s+the\s+linear\s+part"
@@ -68,19 +94,35 @@ _SAID = [
     for said in (
         rf"\b{_VALUES}[\s~]*{_AT}[\s~]*{_IS}[\s~]*$",
         rf"\b{_VALUES}.*\bthose\s+{_AT}[\s~]*{_IS}[\s~]*$",
+        rf"\b{_VALUES}.*\b{_AT_ANY}[\s~,]*(?:they|они)\s+{_IS}[\s~]*$",
         rf"\b{_AT}[\s~,]*(?:(?:the|its)\s+)?{_VALUES}[\s~]*{_IS}[\s~]*$",
         rf"\b{_MATRIX}[\s~]+{_AT}[\s~,]*(?:has|have|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
         rf"(?P<where>\borigin|§)[\s~,]+(?:is|are)\s+(?:then\s+)?an?\s+(?:\w+\s+){{0,3}}?{_POINT}"
         rf"[\s~,]+with\s+(?:the\s+)?{_VALUES}[\s:~]*$",
+        rf"\b(?:(?=origin)|{_NOUN}[\s~]+){_WHERE}[\s~,]+(?:then\s+)?(?:has|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
     )
 ]
 """How words end behind which eigenvalues at a point are printed."""
 _THERE = re.compile(
     r"\blinear(?:i[sz]ed)?\s+(?:system|part|equations?)\s+(?:there\s+)?ha(?:s|ve)\s+(?:there\s+)?"
-    rf"the\s+eigenvalues?[\s:]*$|\bthe\s+{_VALUES}\s+there\s+{_IS}[\s~]*$",
+    rf"the\s+eigenvalues?[\s:]*$|\b{_VALUES}[\s~]+{_HERE}[\s~]*{_IS}[\s~]*$"
+    rf"|\b{_HERE}[\s~,]*(?:(?:the|its)\s+)?(?:non-?zero\s+)?{_VALUES}[\s~]*{_IS}[\s~]*$"
+    rf"|\b{_MATRIX}[\s~]+{_HERE}[\s~,]*(?:has|have|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
     re.IGNORECASE,
 )
-_ITS = re.compile(rf"^\s*its\s+{_VALUES}\s+{_IS}[\s~]*$", re.IGNORECASE)
+"""How words end behind which they are printed for the point before."""
+_THEY = re.compile(rf"^\W*{_AT_ANY}[\s~,]*(?:they|они)\s+{_IS}[\s~]*$", re.IGNORECASE)
+"""How a sentence begins behind one that prints them for another point."""
+_ITS = re.compile(
+    r"(?:^|[:;,]|\b(?:and|since|because|as|for|и|так\s+как|поскольку|ибо)\b)\s*"
+    rf"(?:(?:one|two|both|all)\s+of\s+)?(?:(?P<its>its|его|е[её])|the)\s+(?:non-?zero\s+)?{_VALUES}\s*{_IS}[\s~]*$",
+    re.IGNORECASE,
+)
+_OF_OTHERS = re.compile(
+    r"\b(?:revers|invers|averag|truncat|adjoint|monodromy|обра[щт]|усредн)\w*|\bwithout\b|\bбез\b",
+    re.IGNORECASE,
+)
+"""Words for another system than that of which something was said before."""
 _OF_LINEAR = re.compile(
     rf"\b(?:the|its)\s+{_VALUES}\s+{_IS}[\s:~]*$"
     rf"|\b(?:system|equations?|it)(?:[\s,]*§|,?\s+and\b)*,?\s+(?:then\s+)?ha(?:s|ve)\s+(?:the\s+)?{_VALUES}[\s:~]*$"
@@ -89,12 +131,12 @@ _OF_LINEAR = re.compile(
 )
 """How words end behind which they are printed for a system that is linear, and so at any point."""
 _OF_POINT = re.compile(
-    r"\W*(?:\w+,?\s+){0,2}?(?:the\s+)?(?:(?P<origin>origin)|(?:\w+\s+)?(?:point|state|equilibrium)\s+§)"
-    r"\s+is\b[^§]*$",
+    r"\W*(?:(?:for|if|when|при|если)\s+§[\s,]*|(?:\w+,?\s+){0,2}?)(?:the\s+)?(?:(?P<origin>origin|начало\s+координат)|(?:\w+\s+)?(?:point|state|equilibrium"
+    r"|точка|положение\s+равновесия|равновесие)[\s~]+(?P<where>§))(?:,[^,§]*,)?"
+    r"\s+(?:is|has|exists|loses|becomes|remains|[-—–]+|явля\w+|(?:не)?устойчив\w+)(?!\w)",
     re.IGNORECASE,
 )
-"""How words end that say “its” of a point, and the sentence before them that speaks of it."""
-"""How words end behind which they are printed for the point before."""
+"""How a sentence begins that speaks of one point, perhaps in the clause before “its”."""
 _AT_ORIGIN = re.compile(r"\W*(?:at\s+the\s+origin|в\s+начале\s+координат)\b", re.IGNORECASE)
 """How a sentence begins that speaks of the origin."""
 _IS_ORIGIN = re.compile(
@@ -130,10 +172,20 @@ def eigenvalue(item: SourceStatement, known: Known) -> StatementRole | None:
     behind = text.find("}", end) + 1 if text[:end].endswith("{") else end  # words of its display
     if any(not _TIMES.fullmatch(words) for words in _TEXT.findall(text[item.typed.start : behind])):
         return None  # it says in which direction, or when
-    if point_of(item, known):
+    point = point_of(item, known)
+    if point and not _is_only_named(item, point, known):
         why = "an eigenvalue of the linear part, by the words before it"
         return StatementRole(CLAIM, why, KIND, item.bare[:1] if item.members else ())
     return None
+
+
+def _is_only_named(item: SourceStatement, point: Sequence[SourceStatement], known: Known) -> bool:
+    """Whether an eigenvalue is printed by a letter that nothing gives, and its point has not."""
+    assert item.formula is not None
+    parts = item.formula.members if isinstance(item.formula, Relation) else (item.formula,)
+    first = parts[0].names() if len(parts) > 1 and isinstance(parts[0], Name) else set()
+    own = item.names - first - {"i", PI} - {name for one in point for name in one.names}
+    return any(not known.is_defined(name) and name not in known.later for name in known.untied(own))
 
 
 def linear_part(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -187,20 +239,63 @@ def point_of_number(item: SourceStatement, known: Known) -> tuple[SourceStatemen
 def point_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point at which words say that something is an eigenvalue."""
     words, law = before_list(item.before), law_of_points(item, known)
-    if law is None:
-        return ()
+    if law is None or _OF_VALUES.search(words):
+        return ()  # they are of something else
+    earlier = item.earlier[0] if item.earlier else ""
     found = next(filter(None, (said.search(words) for said in _SAID)), None)
-    if _ITS.search(words):
-        of = _OF_POINT.match(item.earlier[0]) if item.earlier else None
-        if of and of["origin"]:
-            return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
-        return last_named(item, law, known) if of else ()
-    if found is None and _THERE.search(words):
+    if found is None and re.search(_VALUES, earlier, re.IGNORECASE):
+        found = None if cue("denied", earlier) else _THEY.search(words)
+    if found is not None:
+        return _at(found, words, item, law, known)
+    if _OF_OTHERS.search(words) or any(cue(name, words) for name in ("force", "another system")):
+        return ()
+    its = _ITS.search(words)
+    if its and (own := _of_which(its, words, item, law, known)):
+        return own
+    if _THERE.search(words):
+        if is_of_origin_before(item):
+            return _origin(item, law, known)
         return last_named(item, law, known)
-    if found is None:
-        linear = _OF_LINEAR.search(words) and is_linear(law, known)
-        return equations_of(dict.fromkeys(law.variables, "0"), item, law, known) if linear else ()
-    return _at(found, words, item, law, known)
+    linear = _OF_LINEAR.search(words) and is_linear(law, known)
+    return _origin(item, law, known) if linear else ()
+
+
+def _origin(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:
+    """The equations of the origin."""
+    return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+
+
+def _of_which(
+    its: re.Match[str], words: str, item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of the point of which the clause before “its” speaks, or the sentence."""
+    if here := words[: its.start()].strip():
+        return _spoken_of(here, item.sentence, item, law, known)
+    if not (its["its"] and item.earlier):
+        return ()
+    before = max(
+        (one.sentence for one in known.items if one.sentence < item.sentence), default=None
+    )
+    return _spoken_of(item.earlier[0], before or item.sentence, item, law, known)
+
+
+def _spoken_of(
+    words: str, sentence: tuple[int, int], item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of the point of which some words of a sentence speak, if it is one alone."""
+    of = _OF_POINT.match(words)
+    if of is None:
+        return ()
+    beside = [one for one in known.of_sentence(sentence) if one.order < item.order]
+    typed = [*dict.fromkeys(one.typed.start for one in beside)] if "§" in words else []
+    place = words[: of.start("where")].count("§") if of["where"] else len(typed)
+    lists = (one for one in beside if one.formula is not None and entries_of(one.formula))
+    if {one.typed.start for one in lists} & {*typed} - {*typed[place : place + 1]}:
+        return ()  # it speaks of another one too
+    if of["origin"] or place >= len(typed):
+        return _origin(item, law, known) if of["origin"] else ()
+    own = [one for one in beside if one.typed.start == typed[place]]
+    return point_at(own, item, law, known) or last_named(item, law, known)
 
 
 def before_list(words: str) -> str:
@@ -227,7 +322,7 @@ def _at(
     if found["where"] is None:
         return last_named(item, law, known)
     if found["where"] != "§":
-        return equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+        return _origin(item, law, known)
     place = words[: found.start("where")].count("§")
     if _AND.match(words, found.end("where")) and place + 1 < item.before.count("§"):
         return ()  # it is said of several points
@@ -267,8 +362,8 @@ def _entries_at(
     for other, role in known.roles.items():
         named = other.members[:1] == (one.formula,) and other.order < item.order
         if named and role.kind == POINT:
-            return coordinates(other, law, known)
-    return coordinates(one, law, known)
+            return coordinates(other, law, known, free=True)
+    return coordinates(one, law, known, free=True)
 
 
 def _at_both(
@@ -305,18 +400,19 @@ def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceSta
     if last and known.roles[last[0]].kind == MARKED:
         return tuple(in_marked_letters(marked(last[0], law, known), item, known))
     if len(last) == 1:
-        return _with_coordinates(coordinates(last[0], law, known), item, law, known)
+        own = coordinates(last[0], law, known, free=True)
+        return _with_coordinates(own, item, law, known)
     before = [
         one
         for one in known.items
         if one.order < item.order and one.paragraph == item.paragraph
         and one.typed.start in known.paper.sets
     ]  # fmt: skip
-    own = tuple(one for one in before if one.typed.start == before[-1].typed.start)
-    gives = {name for one in own for name in one.bare if known.moves(name)}
+    named = tuple(one for one in before if one.typed.start == before[-1].typed.start)
+    gives = {name for one in named for name in one.bare if known.moves(name)}
     if gives >= {*law.variables}:
-        return own
-    return own if gives_all(own := last_values(item, known), law) else ()
+        return named
+    return values if gives_all(values := last_values(item, known), law) else ()
 
 
 def last_values(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:

@@ -392,7 +392,7 @@ def words_of(item: SourceStatement, name: str) -> str:
         return cue(name, item.before)
     if said := words_behind(item, name):
         return said
-    lead = joined_lead(item)[-60:]
+    lead = _NAMELY.sub("", joined_lead(item))[-60:]
     end = last_cue(name, lead)
     before = _IN_CASE.sub(r"\g<and> ", item.before)
     if end < 0 or cue("here", f"{before} ") or _CLAUSE.search(lead[end:].rstrip(" :~\n")):
@@ -400,6 +400,8 @@ def words_of(item: SourceStatement, name: str) -> str:
     return cue(name, lead[end:]) if len(lead[end:].split()) <= 5 else ""
 
 
+_NAMELY = re.compile(r"[\s,:;~(]*\b(?:namely|viz\.?|that\s+is|а\s+именно)[\s,:~]*$", re.IGNORECASE)
+"""Words between what something is called and a formula for it."""
 _RESTING = re.compile(
     r"[\s,~]*(?:is|are)\s+(?:(?:all|both|also|again|then|always)\s+)?(?:at\s+rest|stationary|fixed)\b"
     r"(?!\s+\w)|[\s,~]*неподвижн\w+",

@@ -7,7 +7,7 @@ are those of what moves at the point.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from kowalevski_cas.notation import Formula, Name, Product, Vector, times
 from kowalevski_cas.notation.symbol import symbol
@@ -66,13 +66,27 @@ _LIST_BEFORE = re.compile(
 )
 _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
 
+_ARBITRARY = r"(?:arbitrary|any|every|each|all|произвольн\w+|люб\w+|всех|кажд\w+)"
+_FAMILY_BEFORE = re.compile(
+    rf"\b{_ARBITRARY}\s+(?:point|state|точк\w+|состояни\w+)[\s~]*$|\b(?:points|states|точки|состояния)[\s~]*$"
+    rf"|\b(?:lines?|curves?|circles?|famil(?:y|ies)|прям\w+|крив\w+|окружност\w+|семейств\w+)"
+    rf"\s+(?:of\s+)?(?:{_REST}|{_RUSSIAN})[\s~]*$",
+    re.IGNORECASE,
+)
+_FAMILY_BEHIND = re.compile(
+    rf"[\s,~]*(?:with|for|where|при|где)\s+(?:{_ARBITRARY}\s+(?:\w+\s+)?§"
+    rf"|§[\s~]*(?:is|are|being|[-—–]+)[\s~]*(?:an?\s+)?(?:{_ARBITRARY}|(?:free\s+)?parameter|параметр))",
+    re.IGNORECASE,
+)
+"""How words end before a point with a free letter, or begin behind it, that speak of them all."""
+
 
 def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
     """A point where nothing moves, by words right before it or its list, or right behind."""
     law = law_of_points(item, known)
     if law is None or cue("map", item.words) or not says_rest(item):
         return None
-    if coordinates(item, law, known):
+    if coordinates(item, law, known, free=is_of_family(item)):
         names = item.bare[:1]
         return StatementRole(CLAIM, "the words beside it call it a point of rest", POINT, names)
     if marked(item, law, known):
@@ -101,21 +115,40 @@ def says_rest(item: SourceStatement) -> bool:
         return not _NO.search(before, 0, said.start())
     if _ALSO.search(before) and item.earlier and _SPOKEN.search(item.earlier[0]):
         return not cue("denied", item.earlier[0])
-    list_behind = _LIST_BEHIND.match(item.after)
+    list_behind = _FAMILY_BEHIND.match(item.after) or _LIST_BEHIND.match(item.after)
     return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
 
 
-def coordinates(item: SourceStatement, law: Law, known: Known) -> tuple[Formula, ...]:
-    """The coordinates of the point that a statement is, or gives a name; none if it is no point."""
+def is_of_family(item: SourceStatement) -> bool:
+    """Whether words say of all points that something is so, which a letter tells apart."""
+    return bool(_FAMILY_BEFORE.search(item.before) or _FAMILY_BEHIND.match(item.after))
+
+
+def coordinates(
+    item: SourceStatement, law: Law, known: Known, *, free: bool = False
+) -> tuple[Formula, ...]:
+    """The coordinates of the point that a statement is, or gives a name; none if it is no point.
+
+    Where letters may be ``free``, it is one of a family of points.
+    """
     if item.formula is None or len(item.members) not in (0, 2):
         return ()
     if item.members and not (isinstance(item.members[0], Name) or _is_marked_point(item, law)):
         return ()
     found = entries_of(item.members[-1] if item.members else item.formula)
     names = {name for one in found for name in one.names()}
-    explained = all(known.is_defined(name) or not known.untied([name]) for name in names)
+    new = {name for name in names if not known.is_defined(name) and known.untied([name])}
+    explained = not new or (free and len(new) < len(found) and not any(_tying(new, known)))
     whole = len(found) == len(law.variables) and not known.varying(names)
     return found if whole and explained and _is_in_order(law, known) else ()
+
+
+def _tying(names: Set[str], known: Known) -> Iterator[SourceStatement]:
+    """The equations that say of letters which values they have: they give no other letter."""
+    for one in known.items:
+        first = one.members[0] if names & one.names and one.members else None
+        if first is not None and (not isinstance(first, Name) or first.name in names):
+            yield one
 
 
 def _is_in_order(law: Law, known: Known) -> bool:

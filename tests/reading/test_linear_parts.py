@@ -169,3 +169,47 @@ DAMPED = r"Let \[ \dot x=-ax,\qquad \dot y=-by+x^2 \] with positive constants $a
 )
 def test_what_has_a_sign_is_still_what_words_call_it(words, greens):
     assert [one.green for one in verdicts(DAMPED + words).values()] == greens
+
+
+GAIN = r"We consider \[ \dot x=y,\qquad\dot y=xz,\qquad\dot z=-xy . \] "
+AT_POINTS = [
+    (GAIN + r"The equilibrium $(0,0,z_0)$ is unstable when $z_0>0$: its eigenvalues are "
+     r"\[ 0,\quad VALUE,\quad-\sqrt{z_0} . \]", r"\sqrt{z_0}", r"2\sqrt{z_0}"),
+    (GAIN + r"The eigenvalues at $(0,0,z_0)$ are $0$ and $\pm\sqrt{z_0}$. For the equilibrium $(x_0,0,0)$ "
+     r"they are $0$ and $VALUE$.", r"\pm ix_0", r"\pm x_0"),
+    (CUBIC + r"The point $(1,0)$ is stable if $k>0$. Its eigenvalues are $VALUE$.",
+     r"\frac{-k\pm\sqrt{k^2-8}}2", r"\frac{-k\pm\sqrt{k^2+8}}2"),
+    (CUBIC + r"The equilibrium $(1,0)$ has the eigenvalues $VALUE$.",
+     r"\frac{-k\pm\sqrt{k^2-8}}2", r"\frac{k\pm\sqrt{k^2-8}}2"),
+    (CUBIC + r"For $k=3$ the equilibrium $(1,0)$ is stable, since its eigenvalues are $-1$ and $VALUE$.",
+     "-2", "2"),
+    (CUBIC + r"There is an equilibrium at $(1,0)$. The linearization there has the eigenvalues "
+     r"$VALUE$.", r"\frac{-k\pm\sqrt{k^2-8}}2", r"\frac{-k\pm\sqrt{k^2-4}}2"),
+    (CUBIC + r"The origin is a saddle. The eigenvalues there are $VALUE$.",
+     r"\frac{-k\pm\sqrt{k^2+4}}2", r"\frac{-k\pm\sqrt{k^2-4}}2"),
+    (CUBIC + r"Точка $(1,0)$ устойчива, так как её собственные числа равны $VALUE$.",
+     r"\frac{-k\pm\sqrt{k^2-8}}2", r"\frac{-k\pm\sqrt{k^2+8}}2"),
+    (CUBIC + r"Положение равновесия есть $u=1$, $v=0$. Один корень характеристического уравнения "
+     r"для этого равновесия равен $VALUE$.", r"\frac{-k+\sqrt{k^2-8}}2", r"\frac{k+\sqrt{k^2-8}}2"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text, true, false", AT_POINTS)
+def test_eigenvalues_at_the_point_of_which_the_clause_before_speaks(text, true, false):
+    printed, wrong = (verdicts(text.replace("VALUE", one))[one] for one in (true, false))
+    assert printed.green and not wrong.green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The sum of the eigenvalues at $(1,0)$ is $-k$.",
+        r"The real parts of the eigenvalues at $(1,0)$ are $-k/2$.",
+        r"The eigenvalues at $(1,0)$ are $\lambda_k$ and $\mu_k$.",
+        r"For the reversed flow the equilibrium $(1,0)$ is unstable: its eigenvalues are $k$.",
+        r"The equilibrium $(1,0)$ is stable. At $k=1$ they are $-k$.",
+        r"Near the equilibrium $(1,0)$ the matrix $M$ is known, and its eigenvalues are $k$.",
+    ],
+)
+def test_what_is_no_eigenvalue_at_that_point_is_not_judged(words):
+    assert not any(one for tex, one in verdicts(CUBIC + words).items() if "k" in tex)

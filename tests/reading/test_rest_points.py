@@ -14,6 +14,10 @@ SWING = r"The pendulum obeys \[ \ddot\psi=-n^2\sin\psi . \] "
 FLOW = r"""The equations are
 \[ \dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-kz . \] """
 
+CYCLE = r"""Three species compete: \[ \dot x=x(1-x-ay-bz),\quad\dot y=y(1-bx-y-az),\quad
+\dot z=z(1-ax-by-z) . \] """
+LINE = r"The system is \[ \dot u=-mv,\qquad\dot v=mu , \] where $m=au+bv$. "
+
 POINTS = [
     (RIVALS + r"The equilibrium is \[ x^*=P,\qquad y^*=Q . \]",
      r"\frac{c-ak}{1-ab}", r"\frac{k-bc}{1-ab}"),
@@ -28,6 +32,17 @@ POINTS = [
     (RIVALS + r"Точка $(P,Q)$ является положением равновесия.", "c", "0"),
     (FLOW + r"If $r>1$, the point $(P,\sqrt{k(r-1)},Q)$ is an equilibrium.",
      r"\sqrt{k(r-1)}", "r-1"),
+    (CYCLE + r"There is one interior equilibrium, namely \[ x=y=z=\frac{P}{Q} . \]", "1", "1+a+b"),
+    (CYCLE + r"The only interior equilibrium is $x=y=z=\frac{P}{Q}$.", "1", "1+a+b"),
+    (CYCLE + r"Имеется одно внутреннее положение равновесия, а именно $x=y=z=\frac{P}{Q}$.",
+     "1", "1+a+b"),
+    (LINE + r"There is a line of equilibria $((P)c,(Q)c)$.", "b", "-a"),
+    (LINE + r"Every point $((P)c,(Q)c)$ is an equilibrium.", "b", "-a"),
+    (LINE + r"The points $((P)c,(Q)c)$ with arbitrary $c$ are equilibria.", "b", "-a"),
+    (LINE + r"It consists of the equilibria \[ u=(P)c,\qquad v=(Q)c , \] where $c$ is any constant.",
+     "b", "-a"),
+    (LINE + r"Она состоит из положений равновесия \[ u=(P)c,\qquad v=(Q)c , \] где $c$ --- "
+     r"произвольная постоянная.", "b", "-a"),
 ]  # fmt: skip
 EIGENVALUES = [
     RIVALS + r"At the fixed point $E_1=(c,0)$ the eigenvalues are $P$ and $Q$.",
@@ -55,6 +70,8 @@ FALSE = [
 OTHERS = [
     RIVALS + r"Let $A=\begin{pmatrix}2&0\\0&3\end{pmatrix}$. Its eigenvalues are $2$ and $3$.",
     RIVALS + r"There is no equilibrium at $(c,k)$.",
+    LINE + r"There is an equilibrium $(u_0,v_0)$.",
+    LINE + r"There is an equilibrium $(2c,c)$, where $c$ is found from $c^3=a$.",
     RIVALS + r"The fixed point of the map is $(2,3)$.",
     RIVALS + r"After the shift the equilibrium $(x_0,y_0)$ becomes $(0,0)$.",
     RIVALS + r"The Jacobian of the change at $(c,0)$ is $\begin{pmatrix}1&0\\0&2\end{pmatrix}$.",
