@@ -183,12 +183,12 @@ _CALLED = re.compile(
 
 
 def _fresh(item: SourceStatement, known: Known) -> list[str]:
-    """The names that a statement gives: of two new ones that are the same it gives the first."""
+    """The names that a statement gives: of new ones that are the same it gives all but the last."""
     given = item.printed.heads
     fresh = [n for n in given.names or given.multiples if is_fresh(n, item, known)]
     fresh = [name for name in fresh if not is_given_behind(name, item, known)]
-    if len(fresh) == len(item.members) == 2 and all(isinstance(m, Name) for m in item.members):
-        fresh = fresh[:1]
+    if len(fresh) == len(item.members) and all(isinstance(m, Name) for m in item.members):
+        fresh = fresh[:-1]
     return [] if fresh and is_place_of(fresh[0], item, known) else fresh
 
 
@@ -240,7 +240,9 @@ def _level(
             ):
                 return StatementRole(LEVEL, why, "", (*fresh,))
             return StatementRole(CLAIM, f"{why}, which is constant then", "integral", (*fresh,))
-    if item.bare[:1] != tuple(fresh[:1]) and len(item.bare) == len(item.members):
+    chain = len(item.bare) > 2 and not any(map(known.is_defined, item.names - {*fresh}))
+    chain = chain and not known.varying(item.names) and len(fresh) == 1
+    if (item.bare[:1] != tuple(fresh[:1]) or chain) and len(item.bare) == len(item.members):
         why = "gives constants by a new one"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), item.bare)
     return None
@@ -312,6 +314,8 @@ def square(item: SourceStatement, known: Known) -> StatementRole | None:
     if not fresh or has_momentum(fresh[0], item, known):
         return None
     if not known.varying(item.names - {*fresh}):
+        if len(item.bare) == len(item.members) - 1 > 1:
+            return None  # it makes constants equal
         return _square_of_constants(item, known, fresh)
     first = item.members[0] == Power(Name(fresh[0]), Number(2))
     claimed = _integral_further_off(item, known) if first else integral_words(item)

@@ -310,3 +310,33 @@ def test_words_call_constants_positive(words, sign, green):
     law = r"\dot x=y,\qquad\dot y=-x-ky,"
     text = rf"Let \[ {law} \] {words}. For $E=\frac12(x^2+y^2)$ we have $\dot E=-ky^2{sign}0$."
     assert [one.green for one in verdicts(text).values()] == [green]
+
+
+SPRINGS = r"Two points obey \[ \ddot x=-a_1x+b(y-x),\qquad\ddot y=-a_2y+b(x-y) . \] "
+ALIKE = [
+    (r"Let $a_1=a_2=a$. Then \[ \ddot x+\ddot y=VALUE(x+y) . \]", "-a", "-2a"),
+    (r"Let $a=a_1=a_2$. Then \[ \ddot x+\ddot y=VALUE(x+y) . \]", "-a", "-2a"),
+    (r"Let $\omega^2=a_1=a_2$. Then \[ \ddot x+\ddot y=VALUE(x+y) . \]", r"-\omega^2", r"\omega^2"),
+    (r"For equal stiffnesses $a=a_1=a_2$ we have \[ \ddot x+\ddot y=VALUE(x+y) . \]", "-a", "-2a"),
+    (r"Пусть теперь $a_1=a_2=b=k$. Тогда \[ \ddot x=k(y+VALUE) . \]", "-2x", "-3x"),
+    (r"If $a_1=a_2=2b$, then \[ \ddot x=b(y+VALUE) . \]", "-3x", "-2x"),
+]
+
+
+@pytest.mark.parametrize("words, true, false", ALIKE)
+def test_constants_in_a_chain_are_all_the_same(words, true, false):
+    (printed,), (wrong,) = (
+        verdicts(SPRINGS + words.replace("VALUE", one)).values() for one in (true, false)
+    )
+    assert printed.green and not wrong.green
+
+
+@pytest.mark.parametrize(("sign", "green"), [("-", True), ("", False)])
+def test_so_they_are_where_the_law_is_printed_anew(sign, green):
+    text = r"""\section{A} Let $m=au+bv$. The system is \[ I_1\dot u=-mv,\qquad I_2\dot v=mu . \]
+    \section{B} Let now $a=0$ and $I_1=I_2=I$. Then
+    \[ \dot u=-\frac bIv^2,\qquad\dot v=\frac bIuv . \] With $k=b/I$ there is the solution
+    \[ u=SIGNw\tanh(kwt),\qquad v=\frac w{\cosh(kwt)} . \]""".replace("SIGN", sign)
+    found = verdicts(text)
+    assert all(one.green is green for tex, one in found.items() if "kwt" in tex)
+    assert any("kwt" in tex for tex in found)
