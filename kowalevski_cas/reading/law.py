@@ -27,6 +27,8 @@ class Law:
     """The laws that it prints once more, in more variables."""
     begins: int | None = None
     """Where the text begins that is about it alone, if it is another system than before."""
+    ends: int | None = None
+    """Where this text ends, and what was spoken of before goes on, if that is known."""
     change: tuple[SourceStatement, ...] = ()
     """What gives variables of the base by new names, if it is the same law in these."""
     new: tuple[str, ...] = ()

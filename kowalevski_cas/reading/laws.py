@@ -19,10 +19,29 @@ from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, derived_names
 from kowalevski_cas.reading.together import find_together
-from kowalevski_cas.reading.unprinted import implied_rows
+from kowalevski_cas.reading.unprinted import hamiltonians_of_examples, implied_rows
 
 
 def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()) -> list[Law]:
+    """The laws of motion of a paper, in its order, with those of Hamiltonians of examples."""
+    found = _closed_sets(paper, names, said, maps)
+    for item, rows in hamiltonians_of_examples(paper) if found and not maps else ():
+        assert item.theorem is not None
+        begins, end = item.theorem
+        within = [law for law in found if begins <= law.first.typed.start < end]
+        before = [law for law in found if law.first.typed.start < begins]
+        printed = [row for law in within for row in law.items]
+        own, moving = Law((*rows,), names), {name for row in printed for name in row.rates}
+        if before and moving <= {*own.variables}:
+            own = Law((*printed,), names) if moving == {*own.variables} else own
+            own.begins, own.ends = begins, end
+            found = [*before, own, *(law for law in found if law not in (*before, *within))]
+    return found
+
+
+def _closed_sets(
+    paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()
+) -> list[Law]:
     """The closed sets of equations of motion, in the order of the paper.
 
     The first display with rates of names that nothing defines is grown until the rates of all that

@@ -348,7 +348,7 @@ def point_at(
     if len(own) == 1:
         return _with_coordinates(entries[0], item, law, known)
     if len(own) == 2 and any(sign in own[0].typed.tex for sign in SIGNS):
-        return _at_both(*entries, item, law, known)
+        return _at_both(entries[0], entries[1], item, law, known)
     return ()
 
 

@@ -64,6 +64,8 @@ class Parts:
             own[-1].append(law)
         begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
         self.begins = [*zip(begins, range(len(own)), strict=True)]
+        ends = [(laws[0].ends, k) for k, laws in enumerate(own) if laws and laws[0].ends]
+        self.begins += [(end, self.part_at((own[k][0].begins or 0) - 1)) for end, k in ends]
         self.begins = sorted([*self.begins, *self._returns(own)])
         for stop in paper.prose.stops if len(own) > 1 else ():
             if (place := self._returned(stop)) is not None:

@@ -93,6 +93,46 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     yield from _of_two_energies(paper)
 
 
+def hamiltonians_of_examples(
+    paper: SourcePaper,
+) -> Iterator[tuple[SourceStatement, list[SourceStatement]]]:
+    """The Hamiltonians that theorem-like parts of a paper give anew, with equations of motion.
+
+    They are in letters of their own, or each before has its example too.
+    """
+    given = [one for one in paper.items if one.bare[:1] and one.bare[0] in HAMILTONIANS]
+    heads = [one for one in given if len(one.members) == 2 and _canonical(one)]
+    for item in heads:
+        if item.theorem is None or item.typed.inline or item in paper.approximate:
+            continue
+        begins, end = item.theorem
+        before = [
+            one for one in heads if one.bare[:1] == item.bare[:1] and one.typed.start < begins
+        ]
+        rows = (one for one in paper.items if one.typed.start < begins)
+        met = {name for one in rows for name in one.rates}.union(*(one.names for one in before))
+        apart = all(one.theorem for one in before) or met.isdisjoint(_canonical(item))
+        within = (one for one in heads if begins <= one.typed.start < end)
+        if (
+            not before
+            or not apart
+            or [*within] != [item]
+            or not has_squares_of_momenta(item, paper)
+        ):
+            continue
+        below = (one for one in definitions_below(item, paper) if begins <= one.typed.start < end)
+        about = [one.formula for one in (item, *below) if one.formula is not None]
+        with suppress(ValueError, NotationError):
+            found = [tex for tex in implied_equations(about) if not tex.startswith(BRACKET)]
+            yield (
+                item,
+                [
+                    unprinted(paper, f"implied-{item.order}-{number}", tex, item)
+                    for number, tex in enumerate(found, 1)
+                ],
+            )
+
+
 def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:
     """The equations of Lagrange of a kinetic and a potential energy, if no words tell more."""
     pair = two_energies(paper.items)
@@ -119,10 +159,16 @@ def _is_told_elsewhere(item: SourceStatement, paper: SourcePaper) -> bool:
 
 
 def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
-    """Whether a statement gives the letter of a Hamiltonian by squares of momenta with indices.
+    """Whether a statement gives the letter of a Hamiltonian by squares of momenta with indices."""
+    momenta = _canonical(item)[1::2]
+    return has_squares_of_momenta(item, paper) and all(symbol(p).index for p in momenta)
 
-    Each has its coordinate by its index, in the formula if that is a number. No words of the paper
-    tell of forces, constraints or fields, nor deny anything of it.
+
+def has_squares_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether a statement gives the letter of a Hamiltonian by squares of momenta.
+
+    Each has its coordinate by its index, in the formula if that is a number, or none. No words of
+    the paper tell of forces, constraints or fields, nor deny anything of it.
     """
     if not item.bare or item.bare[0] not in HAMILTONIANS or len(item.members) != 2:
         return False
@@ -131,8 +177,7 @@ def is_of_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
     nodes, names = [*item.members[1].nodes()], _canonical(item)
     found = [
         Power(Name(p), Number(2)) in nodes
-        and bool(symbol(p).index)
-        and (q in item.names or not symbol(p).index.isdecimal())
+        and (q in item.names or symbol(p).index.strip("0123456789"))
         for q, p in zip(names[::2], names[1::2], strict=True)
     ]
     return bool(found) and all(found)

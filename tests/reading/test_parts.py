@@ -217,3 +217,45 @@ def test_a_law_among_words_is_followed_by_one_with_another_force():
         text.replace("+\\frac14x^4", "+\\frac12x^4").replace("E=\\frac12", "E=")
     ).values()
     assert not first.green and not second.green
+
+
+OSCILLATOR = r"""\begin{example} Let $H=\frac12p^2+\frac k2q^2$. Then \[ \dot q=p,\qquad\dot p=-kq . \]
+\end{example} """
+EXAMPLES = [
+    (r"In polar coordinates \[ H=\frac12\left(p_r^2+\frac{p_\varphi^2}{r^2}\right)-\frac\mu r . \] "
+     r"Then \[ \dot p_r=\frac{p_\varphi^2}{VALUE}-\frac\mu{r^2} . \]", "r^3", "r^2"),
+    (r"Now let \[ H=\frac12p^2+\frac k4q^4 . \] Then \[ \dot p=-VALUE . \]", "kq^3", "kq"),
+    (r"Here \[ H=\frac12(p_1^2+p_2^2)+q_1q_2 , \] and the function $p_1p_2+VALUE$ is an integral.",
+     r"\frac12(q_1^2+q_2^2)", "q_1q_2"),
+    (r"Пусть теперь \[ H=\frac12p^2-\cos q . \] Тогда \[ \ddot q=VALUE . \]", r"-\sin q", r"\cos q"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words, true, false", EXAMPLES)
+def test_an_example_with_a_hamiltonian_of_its_own_is_another_system(words, true, false):
+    for value, green in ((true, True), (false, False)):
+        text = rf"{OSCILLATOR}\begin{{example}} {words.replace('VALUE', value)} \end{{example}}"
+        text += r" In the first example $p^2+kq^2$ is an integral."
+        *own, last = verdicts(text).values()
+        assert [one.green for one in own] == [green]
+        assert last.green
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"""Let $H=\frac12p^2+\frac k2q^2$. Then \[ \dot q=p,\qquad\dot p=-kq . \] \begin{example} For
+        $k=4$ \[ H=\frac12p^2+2q^2 . \] Then $\dot p=-4q$. \end{example}""",
+        OSCILLATOR
+        + r"\begin{example} With friction \[ H=\frac12p^2+q^4,\quad\dot p=-4q^3-p . \] \end{example}",
+    ],
+)
+def test_it_is_none_where_the_letters_go_on_or_more_acts(text):
+    assert len(reading(text).parts.known) == 1
+
+
+@pytest.mark.parametrize(("rate", "green"), [("-P^2", True), ("-Q^2", False)])
+def test_its_own_equations_are_the_law_where_they_are_printed(rate, green):
+    text = rf"""{OSCILLATOR}\begin{{example}} Let \[ H=\frac12P^2+\frac14Q^4 . \] Then
+    \[ \dot Q=P,\qquad\dot P=-Q^3-P . \] We have $\dot H={rate}$. \end{{example}}"""
+    assert [one.green for one in verdicts(text).values()] == [green]
