@@ -101,9 +101,9 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
             or (bool(before) and _WITH.fullmatch(words.rpartition(MARK)[2]) is not None)
         )
     if before:
-        said = cue("where", item.lead) or cue("constraint", item.lead)
+        said = bool(cue("where", item.lead) or cue("constraint", item.lead))
         said = said or _is_listed(item, law, known)
-        return bool(said) and names <= {*law.variables, *law.mentions}
+        return said and names <= {*law.variables, *law.mentions}
     return bool(rows) and _says_constraint(item)
 
 
