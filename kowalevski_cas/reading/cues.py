@@ -20,6 +20,12 @@ _NO_SLIP = r"""
         не\s+(?:скольз|проскальз)\w+"""
 """How a body that rolls, or slides along a blade, does not move."""
 
+_SUCH = (
+    r"(?:(?:an?|the)\s+(?:\w+\s+){0,2}(?:integral|constant|invariant|solution)s?"
+    r"|integrals|constants?|conserved|preserved|invariants?|true|correct|valid|right)\b"
+)
+"""What may be said of a formula: that it is an integral, or holds."""
+
 CUES: dict[str, str] = {
     "integral": rf"""
         {_OF_MAP}
@@ -209,18 +215,26 @@ CUES: dict[str, str] = {
         small\s+(?:angle|oscillation|vibration|deviation|displacement)\w*
         (?:angles?|deviations?|displacements?)[\s,]*(?:is|are|being|remains?)\s+small\b
         мал\w+\s+(?:уг(?:ол|л)|колебани|отклонени)\w*""",
-    "denied": r"""
+    "denied": rf"""
+        \bfar\s+from\s+(?:being\s+)?{_SUCH}
+        \b(?:hardly|scarcely|barely|seldom|rarely)\s+(?:ever\s+)?(?:be\s+)?{_SUCH}
+        \b(?:by\s+no\s+means|in\s+no\s+way|anything\s+but|nowhere\s+near|not\s+(?:at\s+all|even|quite|exactly|really|strictly|always|necessarily))\s+{_SUCH}
+        \b(?:ceas|stop)\w*\s+(?:to\s+be|being)\s+{_SUCH}
+        §[\s,]*(?:is|are)\s+(?:lost|destroyed|violated)\b
+        \b(?:едва|вряд)\s+ли\s+(?!можно|нужно|стоит|надо|очевидн|удивит)
+        \b(?:отнюдь|далеко|вовсе|никак|совсем)\s+не\s+(?!очевидн|просто|сразу|тривиальн|ясно|удивит)
+        \bпереста\w+\s+быть\b
         \bnot\s+(?:true|an?\s+integral|constant|conserved|the|valid|hold|correct|preserved|in\s+general)
         do(?:es)?\s+not\s+(?:hold|vanish|follow|satisfy|have|obtain|get|find)
-        (?:is|are)\s+not\s+(?:\w+\s+){0,2}§
-        §[\s,]*(?:\w+\s+){0,3}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
+        (?:is|are)\s+not\s+(?:\w+\s+){{0,2}}§
+        §[\s,]*(?:\w+\s+){{0,3}}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
         never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
         mistak\w+ misprint\w* (?<!on\sthe\s)contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b
         would\s+(?:be|have|follow|give|mean) fails?\b cannot\b
-        \b(?:no|without)\s+(?:\w+\s+){0,2}integrals?(?:\s+\w+){0,3}\s*§ refut\w+
-        §[\s,]*(?:\w+\s+){0,2}(?:no|without)\s+(?:\w+\s+){0,2}integrals?
+        \b(?:no|without)\s+(?:\w+\s+){{0,2}}integrals?(?:\s+\w+){{0,3}}\s*§ refut\w+
+        §[\s,]*(?:\w+\s+){{0,2}}(?:no|without)\s+(?:\w+\s+){{0,2}}integrals?
         \b(?:without|dropping)\s+(?:the\s+)?(?:restriction|condition|assumption|hypothesis)\w*\s*(?:§|$)
         \bбез\s+(?:ограничени|услови|предположени)\w+\s*(?:§|$)
         \b(?:not|never)\s+(?:(?:put|set|take)\s*)?(?:§|$) \bexclud\w+\s+(?:the\s+case\s+)?(?:§|$)
@@ -239,6 +253,9 @@ CUES: dict[str, str] = {
         ,\s*(?:но|однако)\s+это\s+не\s+так
         (?:это|что)\s+неверно""",
     "quoted": r"""
+        \b(?:students?|beginners|engineers|physicists|many|some|most|others)\s+(?:\w+\s+)?(?:say|think|believe|maintain|imagine|write)\b
+        \b(?:студенты|многие|некоторые|иногда)\s+(?:\w+\s+)?(?:говор|дума|счита|пиш|полага)\w+
+        \b(?:allegedly|supposedly|ostensibly)\b \bякобы\b
         \b(?:was|were|been)\s+(?:written|stated|said)\s+that
         \baccording\s+to\s+(?-i:(?!Theor|Lemma|Prop|Coroll|Eq|Sect|Newton|Hamilton|Euler|Liouv)[A-Z])
         \b(?:authors|textbooks|people|papers)\s+(?:\w+\s+)?(?:write|state|say|print|give|use)\b
@@ -248,6 +265,13 @@ CUES: dict[str, str] = {
         можно\s+(?:было\s+бы\s+)?(?:подумать|ожидать|надеяться) казалось\s+бы \bbelieve[sd]?\b
         it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
+    "compared": r"""
+        \b(?:unlike|(?:as\s+)?opposed\s+to|contrary\s+to|in\s+(?:\w+\s+)?contrast\s+(?:to|with)|rather\s+than|as\s+distinct\s+from|in\s+distinction\s+(?:to|from))(?:\s+\w+){0,3}\s*$
+        \b(?:в\s+отличие\s+от|в\s+противоположность|im\s+Gegensatz\s+zu|contrairement\s+.{1,4}|.{1,4}\s+la\s+diff.{1,4}rence\s+d[eu])(?:\s+\w+){0,3}\s*$
+        ,\s+а\s+не(?:\s+\w+)?\s*$""",
+    "in the mean": r"""
+        \bon\s+(?:the\s+)?(?:average|mean)\b \bin\s+the\s+(?:mean|average)\b \bin\s+average\b
+        \bstatistically\b в\s+среднем\b""",
     "another-law": r"""
         (?:\bif|\bwhen|\bfor|even|also)\b(?:(?!\bintegral)[^.;])*\bfunctions?\s+of\s+(?:the\s+)?time
         (?:\bif|\bwhen|even|also)\b(?:(?!\bintegral)[^.;])*\bdepends?\s+on\s+(?:the\s+)?time
@@ -352,7 +376,14 @@ CUES: dict[str, str] = {
         (?:если|когда|при(?:\s+\w+)?|в\s+случае|при\s+условии)\s*$""",
     "only if": r"""
         \bonly\s+(?:if|when|for|in\s+the\s+case)\b \biff\b
-        тогда\s+и\s+только только\s+(?:если|при)\b""",
+        \bonly\s+(?:an?\s+integral|constant|conserved|preserved|valid|true)\b
+        \b(?:integrals?|constant|conserved|preserved|invariant|holds?|valid|true)\s+only\b
+        ^\W*only\s+(?:on|along|at|in|during|near|by|rarely|seldom|sometimes|exceptionally)\b
+        \bfor\s+(?:\w+\s+){0,3}(?:motions|solutions|orbits|trajectories|conditions|data|values)\s+(?:only|alone)\b
+        \b(?:few|hardly\s+any|almost\s+no)\s+(?:\w+\s+)?(?:motions?|solutions?|orbits?|trajector\w+|initial)\b
+        тогда\s+и\s+только (?:только|лишь)\s+(?:если|при|для|вдоль|иногда|изредка)\b
+        \b(?:интеграл\w*|постоян(?:на|но|ны|ен)|сохраня\w+)\s+(?:только|лишь)\b
+        ^\W*(?:только|лишь)\s+(?:на|в)\b \bнемног\w+\s+(?:движени|решени|орбит|траектори)\w+""",
     "if": r"""
         \bif\s*$ \bwhen\s*$ \bif\s+(?:and\s+only\s+if\s*)?$ если\s*$ когда\s*$""",
 }

@@ -32,7 +32,11 @@ AT_TIMES = re.compile(
 """Words for a place, or a time, of which something may be said alone."""
 
 
-_AND = re.compile(r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*")
+_AND = re.compile(
+    r"(?:[\s,~]*\b(?:unlike|in\s+contrast\s+(?:to|with)|as\s+opposed\s+to|rather\s+than|в\s+отличие\s+от)\s+(?:\w+\s+){0,3}§\s*,)?"
+    r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*",
+    re.IGNORECASE,
+)
 
 
 _BEFORE = re.compile(r"§(?:[\s,;~]|\b(?:and|or|и|или)\b)*$")
@@ -364,7 +368,12 @@ def last_clause(words: str) -> str:
 
 def right_behind(item: SourceStatement) -> str:
     """The words behind a statement as far as its clause goes."""
-    return _CLAUSE.split(item.tail[:40], maxsplit=1)[0]
+    return right_of(item.tail)
+
+
+def right_of(words: str) -> str:
+    """The first words as far as their clause goes."""
+    return _CLAUSE.split(words[:40], maxsplit=1)[0]
 
 
 _ASIDE = re.compile(

@@ -53,6 +53,7 @@ from kowalevski_cas.reading.phrases import (
     joined_tail,
     listed_words,
     right_behind,
+    right_of,
     words_of,
 )
 from kowalevski_cas.reading.polar import radius
@@ -109,8 +110,15 @@ Rule = Callable[[SourceStatement, Known], StatementRole | None]
 def role_of(item: SourceStatement, known: Known) -> StatementRole:
     """What a statement is: what a comment says, or the first rule that says something."""
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
+    if inferred.name == CLAIM and (said := _says_else(item)):
+        inferred = StatementRole(OTHER, f"“{said}” says another thing than is judged", "asked")
     found = known.said.role(item)
     return inferred if found is None else said_role(found, item, inferred, known)
+
+
+def _says_else(item: SourceStatement) -> str:
+    """The words by which a claim is one of means."""
+    return cue("in the mean", clause(item)) or cue("in the mean", item.lead)
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -244,7 +252,7 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")
     if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
         return StatementRole(OTHER, f"“{said}” says more than is judged", "asked")
-    if not _explains(item) and (said := cue("denied", clause(item))):
+    if said := _denial(item, known):
         if names := _named(item, known):
             return StatementRole(DEFINITION, f"named here; “{said}” is said of it", "", names)
         return StatementRole(
@@ -297,6 +305,46 @@ _REASON = re.compile(
     re.IGNORECASE,
 )
 """How words end behind which stands why something before is so."""
+
+
+def _denial(item: SourceStatement, known: Known) -> str:
+    """The words beside a statement, or in the sentence behind it, that deny it, or compare it."""
+    said = "" if _explains(item) else cue("denied", clause(item)) or _denied_with_others(item)
+    return said or cue("compared", item.lead) or _denied_behind(item, known)
+
+
+def _denied_with_others(item: SourceStatement) -> str:
+    """The words behind a list that deny all that it has."""
+    behind = joined_tail(item) if item.formula is not None else ""
+    return cue("denied", f"§ {right_of(behind)}") if behind != item.tail else ""
+
+
+_IT = (
+    r"(?:this|that|it|these|they|both|all\s+(?:of\s+)?(?:this|that)|he|she|the\s+(?:latter|former))"
+    r"(?:\s+(?:claim|statement|assertion|belief|opinion|view|formula|result)s?)?"
+)
+_WRONG = (
+    r"(?:wrong|false|incorrect|untrue|erroneous|mistaken|absurd|nonsense|not\s+(?:so|true|correct|right|the\s+case)"
+    r"|an?\s+(?:\w+\s+)?(?:mistake|error|myth|misconception|misprint|fallacy|illusion))"
+)
+_DENIED_BEHIND = re.compile(
+    r"\W*(?:(?:but|however|yet|of\s+course|in\s+fact|actually|но|однако|конечно|на\s+самом\s+деле)\b\W*)*"
+    rf"(?:(?:{_IT}\s+)?(?:(?:is|are|was|were)\s+)?(?:\w+ly\s+|however,?\s+)?{_WRONG}"
+    rf"|{_IT}\s+(?:does\s+not\s+hold|do\s+not\s+hold|cannot\s+be(?:\s+(?:so|true|right))?|fails?|errs?)"
+    r"|(?:(?:это|они|он|вс[её]\s+это)\s+)?(?:(?:утверждени|мнени|формул)\w+\s+)?(?:\w+\s+)?"
+    r"(?:неверн\w+|не\s+(?:так|верно)|ошибк\w+|ошибочн\w*|ложн\w*|заблужд\w+|неправ\w*|ошиба\w+))"
+    r"(?:\s+(?:in\s+general|at\s+all|of\s+course|however|though|вообще\s+говоря|конечно))?\s*[.,;:!]",
+    re.IGNORECASE,
+)
+"""A sentence that says of what stands before that it is false, without a condition."""
+
+
+def _denied_behind(item: SourceStatement, known: Known) -> str:
+    """The beginning of the sentence behind that of a statement, if this calls it false."""
+    prose = known.paper.prose
+    start, end = prose.sentence(item.sentence[1])
+    said = _DENIED_BEHIND.match(prose.between(start, end)) if start == item.sentence[1] else None
+    return said[0].rstrip(" .,;:!") if said else ""
 
 
 def _explains(item: SourceStatement) -> bool:
