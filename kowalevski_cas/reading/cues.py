@@ -251,7 +251,14 @@ CUES: dict[str, str] = {
         [;.,]\s*(?:but\s+)?(?:this|that|which)\s+is\s+not\s+(?:true|so|correct)
         [;.,]\s*(?:but|however,?)\s+(?:it|this|they)\s+(?:is|are|does|do)\s+not\s*(?:[.;,]|so\b|$)
         ,\s*(?:но|однако)\s+это\s+не\s+так
-        (?:это|что)\s+неверно""",
+        (?:это|что)\s+неверно
+        \b(?:constant|conserved|preserved)\b[^.;]{0,30}\b(?:and|but|then)\s+(?:(?:it|then|later|afterwards)\s+)*(?:grow|increas|decreas|decay|chang|var(?:y|ies)|jump|oscillat)\w*
+        \b(?:постоян(?:на|но|ен)|сохраняется)\b[^.;]{0,30}\b(?:и|а|но|затем)\s+(?:затем\s+|потом\s+)?(?:раст|убыва|меня|возраста)\w*""",
+    "timeless": r"""
+        \bintegral\s+(?:that|which)\s+(?:does\s+not|never)\s+(?:explicitly\s+)?depend\s+(?:explicitly\s+)?on\s+(?:the\s+)?time\b
+        \b(?:autonomous|time-independent)\s+(?:first\s+)?integral
+        \bintegral\s+(?:that\s+is\s+)?(?:independent\s+of|without|free\s+of)\s+(?:the\s+)?time\b
+        \bинтеграл\w*,?\s+не\s+завися\w+\s+(?:явно\s+)?от\s+времени""",
     "quoted": r"""
         \b(?:students?|beginners|engineers|physicists|many|some|most|others)\s+(?:\w+\s+)?(?:say|think|believe|maintain|imagine|write)\b
         \b(?:студенты|многие|некоторые|иногда)\s+(?:\w+\s+)?(?:говор|дума|счита|пиш|полага)\w+

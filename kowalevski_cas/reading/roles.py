@@ -110,15 +110,17 @@ Rule = Callable[[SourceStatement, Known], StatementRole | None]
 def role_of(item: SourceStatement, known: Known) -> StatementRole:
     """What a statement is: what a comment says, or the first rule that says something."""
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
-    if inferred.name == CLAIM and (said := _says_else(item)):
+    if inferred.name == CLAIM and (said := _says_else(item, known)):
         inferred = StatementRole(OTHER, f"“{said}” says another thing than is judged", "asked")
     found = known.said.role(item)
     return inferred if found is None else said_role(found, item, inferred, known)
 
 
-def _says_else(item: SourceStatement) -> str:
-    """The words by which a claim is one of means."""
-    return cue("in the mean", clause(item)) or cue("in the mean", item.lead)
+def _says_else(item: SourceStatement, known: Known) -> str:
+    """The words by which a claim is one of means, or of what is free of the time and has it."""
+    timed = any(known.times & known.below(name) for name in item.names)
+    said = cue("in the mean", clause(item)) or cue("in the mean", item.lead)
+    return said or (cue("timeless", item.words) if timed else "")
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:

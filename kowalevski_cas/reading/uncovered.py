@@ -21,7 +21,23 @@ STATES: dict[str, str] = {
         устойчив\w* неустойчив\w+ (?:положительно|отрицательно)[\s-]+определ[её]н\w+""",
     "period": r"""
         \bperiod\s+(?:is|equals|becomes)\b \bperiod\s+(?:of\s+[^.$]*)?\$[^$=]*=
-        \bпериод\w*\s+(?:[^.$]*)?\$[^$=]*=""",
+        \bпериод\w*\s+(?:[^.$]*)?\$[^$=]*= \bperiod\s+(?:of\s+)?\$[^$=]*(?:\\pi|\d)
+        \bпериод\w*\s+\$[^$=]*(?:\\pi|\d)""",
+    "one alone": r"""
+        \b(?:the\s+only|a\s+unique|the\s+unique|a\s+single|the\s+single)\s+(?:\w+\s+){0,2}(?:integral|invariant|solution)s?\b
+        \bonly\s+one\s+(?:\w+\s+)?(?:integral|invariant|solution)s?\b
+        \bno\s+other\s+(?:\w+\s+)?(?:integral|invariant|solution)s?\b
+        \bединственн\w+\s+(?:\w+\s+)?(?:интеграл|инвариант|решени)\w*
+        \bдруг\w+\s+(?:интеграл|решени)\w+\s+нет\b""",
+    "every one": r"""
+        \b(?:every|any|each)\s+(?:\w+\s+){0,2}function\b(?=[^.;]*\b(?:integral|constant|conserved|invariant)\b)
+        \b(?:любая|всякая|каждая)\s+(?:\w+\s+)?функци\w+(?=[^.;]*(?:интеграл|сохраня|постоян))""",
+    "value": r"""
+        \b(?:constant|conserved|integral),?\s+(?:and|which\s+is|that\s+is)\s+(?:\w+\s+)?equal(?:s)?\s+(?:to\s+)?(?=\$\s*-?(?:\d|\\[td]?frac\s*\{?\d)[^$A-Za-z]*\$|zero\b|one\b|unity\b)
+        \b(?:постоян(?:на|но|ен)|сохраняется),?\s+и\s+рав(?:на|но|ен|няется)\s+(?=\$\s*-?\d[^$A-Za-z]*\$|нулю\b|единице\b)""",
+    "in involution": r"""
+        \bin\s+involution\b(?![^.]*\\\{) \b(?:Poisson[\s-]+)?commute\b(?![^.]*\\\{)
+        \bв\s+инволюции\b(?![^.]*\\\{)""",
     "tends": r"""
         \\to(?![A-Za-z])[^$]*\$\s*(?:as|when|for|при|когда)\s*\$[^$]*\\to(?![A-Za-z])""",
     "integral": r"""
@@ -75,7 +91,9 @@ STATES: dict[str, str] = {
 }
 """Words that state something of a kind, in English and in Russian; spaces stand between them."""
 
-ALONE = ("stability", "period", "tends")
+ALONE = (
+    "stability", "period", "one alone", "every one", "value", "in involution", "tends",
+)  # fmt: skip
 """The kinds that no claim of a formula states: they are told beside what is judged, too."""
 
 _KINDS = {

@@ -48,3 +48,58 @@ def test_other_words_claim_nothing(sentence):
 )  # fmt: skip
 def test_what_no_formula_states_is_listed_beside_what_is_judged(sentence, cue):
     assert [one.cue for one in audited(LAW + sentence).uncovered] == [cue]
+
+
+CENTRE = r"Let $\dot x=y$, $\dot y=-x$. "
+
+
+@pytest.mark.parametrize(
+    ("sentence", "cue"),
+    sampled(
+        [
+            ("The energy $x^2+y^2$ is constant and equal to $1$.", "constant and equal to"),
+            (r"The energy $x^2+y^2$ is constant and equal to $\frac12$.", "constant and equal to"),
+            ("The function $x^2+y^2$ is the only first integral.", "the only first integral"),
+            ("$x^2+y^2$ is an integral; there are no other integrals.", "no other integrals"),
+            ("Every function of $x$ and $y$, say $x^2+y^2$, is an integral.", "Every function"),
+            (r"The solution $x=\sin t$, $y=\cos t$ has the period $\pi$.", "period"),
+            (r"The solution $x=\sin t$, $y=\cos t$ is of period $3\pi$.", "period"),
+            ("The integrals $x^2+y^2$ and $x^4+2x^2y^2+y^4$ are in involution.", "in involution"),
+            ("Функция $x^2+y^2$ — единственный интеграл.", "единственный интеграл"),
+            ("Функция $x^2+y^2$ постоянна и равна $1$.", "постоянна и равна"),
+            ("Интегралы $x^2+y^2$ и $x^4+2x^2y^2+y^4$ находятся в инволюции.", "в инволюции"),
+            ("Любая функция от $x$, как $x^2+y^2$, сохраняется.", "Любая функция"),
+        ],
+        4,
+    ),
+)
+def test_a_word_that_is_stronger_than_the_formula_is_listed(sentence, cue):
+    assert [one.cue for one in audited(CENTRE + sentence).uncovered] == [cue]
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "The energy $x^2+y^2$ is constant and equal to $h$.",
+        "The only thing to be seen is that $x^2+y^2$ is an integral.",
+        "The function $x^2+y^2$ is an integral that does not depend on time.",
+        "The function $x^2+y^2$ is constant and $x$ grows.",
+    ],
+)
+def test_a_word_that_is_as_strong_is_not(sentence):
+    found = audited(CENTRE + sentence)
+    assert not found.uncovered and any(one.verdict == "proved" for one in found.formulas)
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        r"The function $x\cos t-y\sin t$ is an integral that does not depend on time.",
+        r"The function $x\cos t-y\sin t$ is a time-independent integral.",
+        "The function $x^2+y^2$ is constant for $t<0$ and grows for $t>0$.",
+        "The function $x^2+y^2$ is conserved at first, but later it decreases.",
+        r"Функция $x\cos t-y\sin t$ — интеграл, не зависящий явно от времени.",
+    ],
+)
+def test_nor_is_anything_proved_that_its_sentence_takes_back(sentence):
+    assert not any(one.verdict == "proved" for one in audited(CENTRE + sentence).formulas)
