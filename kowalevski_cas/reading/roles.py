@@ -70,6 +70,7 @@ from kowalevski_cas.reading.propositions import (
 )
 from kowalevski_cas.reading.rest_points import rest_point
 from kowalevski_cas.reading.roots_in_words import roots_in_words
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.small_oscillations import small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.solved import solved
@@ -87,6 +88,7 @@ from kowalevski_cas.reading.suppositions import (
 )
 from kowalevski_cas.reading.tried import tried
 from kowalevski_cas.reading.unknowns import unknown
+from kowalevski_cas.reading.unprinted_systems import of_another_system
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -112,6 +114,10 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
     if inferred.name == CLAIM and (said := _says_else(item, known)):
         inferred = StatementRole(OTHER, f"“{said}” says another thing than is judged", "asked")
+    prints = is_row(item) and any(map(known.moves, item.rates))
+    if inferred.name == CLAIM and not prints and (said := of_another_system(item, known)):
+        why = f"of a law that is not printed: “{said}”"
+        inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
     found = known.said.role(item)
     return inferred if found is None else said_role(found, item, inferred, known)
 
