@@ -21,8 +21,8 @@ from kowalevski_cas.reading.inertia import INERTIA
 from kowalevski_cas.reading.kept import kept_before
 from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
 from kowalevski_cas.reading.law import Law
-from kowalevski_cas.reading.linear_parts import DETERMINANT, MATRIX, TRACE
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
+from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
@@ -31,7 +31,7 @@ from kowalevski_cas.reading.phrases import AT_TIMES, integral_words, is_conditio
 from kowalevski_cas.reading.rest_points import MARKED, POINT
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.rung import Rung
-from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY, may_be_of_squares
+from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
 from kowalevski_cas.reading.suppositions import FOUND
 from kowalevski_cas.reading.unprinted import SOURCE, is_printed
@@ -87,10 +87,6 @@ def _has_circumstance(item: SourceStatement) -> bool:
     return bool(said or cue("on it", item.words))
 
 
-_AT_POINTS = (CHARACTERISTIC, FREQUENCY, EIGENVALUE, TRACE, DETERMINANT)
-"""The kinds of what is claimed of a linear part, at a point that has been found by the words."""
-
-
 def doubt_of(
     item: SourceStatement, rung: Rung, candidates: Sequence[Rung], parts: Parts
 ) -> Doubt | None:
@@ -115,7 +111,7 @@ def doubt_of(
         or kept_before(item, known)
     ):
         return Doubt.ALWAYS
-    if role.kind in _AT_POINTS and may_be_of_squares(item, known):
+    if role.kind in OF_LINEAR_PART and may_be_of_squares(item, known):
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
@@ -304,7 +300,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
     In a theorem with its proof that are its assumptions; else what stands before it in its
     sentence.
     """
-    placed = known.roles[item].kind in _AT_POINTS
+    placed = known.roles[item].kind in OF_LINEAR_PART
     if cue("place", item.before) and not placed:
         return True
     for one in known.items:

@@ -25,7 +25,6 @@ from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
     DETERMINANT,
-    KIND,
     MATRIX,
     TRACE,
     equations_of,
@@ -44,6 +43,7 @@ from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.small_oscillations import (
     CHARACTERISTIC,
     FREQUENCY,
+    OF_LINEAR_PART,
     equation_of_root,
     is_damped,
     is_of_equation,
@@ -56,15 +56,14 @@ from kowalevski_cas.reading.small_oscillations import (
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import variable_of
 
-_OF_LINEAR_PART = (KIND, MATRIX, TRACE, DETERMINANT, FREQUENCY, CHARACTERISTIC)
 _OF_REST = (POINT, MARKED, FIXED)
-OF_FIELD = (*_OF_LINEAR_PART, *_OF_REST, "divergence", "measure")
+OF_FIELD = (*OF_LINEAR_PART, *_OF_REST, "divergence", "measure")
 """The kinds of the roles of what is claimed of the field."""
 
 
 def of_field(at: RungMaker) -> Iterator[Rung]:
     """What is said of the field: of its linear part, where it vanishes, or of its flow."""
-    if at.role.kind in _OF_LINEAR_PART:
+    if at.role.kind in OF_LINEAR_PART:
         yield from _of_linear_part(at)
     elif at.role.kind in _OF_REST:
         yield from _of_rest(at)

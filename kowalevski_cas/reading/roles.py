@@ -71,7 +71,7 @@ from kowalevski_cas.reading.propositions import (
 from kowalevski_cas.reading.rest_points import rest_point
 from kowalevski_cas.reading.roots_in_words import roots_in_words
 from kowalevski_cas.reading.rows import is_row
-from kowalevski_cas.reading.small_oscillations import small_oscillation
+from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
 from kowalevski_cas.reading.solved import solved
 from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is_ellipsis
@@ -115,7 +115,8 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     if inferred.name == CLAIM and (said := _says_else(item, known)):
         inferred = StatementRole(OTHER, f"“{said}” says another thing than is judged", "asked")
     prints = is_row(item) and any(map(known.moves, item.rates))
-    if inferred.name == CLAIM and not prints and (said := of_another_system(item, known)):
+    own = prints or inferred.kind in (*OF_LINEAR_PART, "approximate")
+    if inferred.name == CLAIM and not own and (said := of_another_system(item, known)):
         why = f"of a law that is not printed: “{said}”"
         inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
     found = known.said.role(item)

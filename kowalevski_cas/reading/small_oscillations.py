@@ -18,8 +18,11 @@ from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
+    DETERMINANT,
     KIND,
+    MATRIX,
     SIGN,
+    TRACE,
     before_list,
     equations_of,
     gives_all,
@@ -32,6 +35,8 @@ from kowalevski_cas.reading.tried import exponential, variable_of
 
 FREQUENCY, CHARACTERISTIC = "frequency", "characteristic"
 """The kinds of these claims."""
+OF_LINEAR_PART = (KIND, MATRIX, TRACE, DETERMINANT, FREQUENCY, CHARACTERISTIC)
+"""The kinds of what is claimed of a linear part, at a point that the words tell."""
 
 _SMALL = (
     r"(?:small|infinitesimal|normal)\s+(?:\w+\s+)?(?:oscillations?|vibrations?|modes?|motions|ones)"

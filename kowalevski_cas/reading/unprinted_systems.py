@@ -139,7 +139,7 @@ _NAMES = (
     r"|Дюффинг|Ван[\s-]дер[\s-]Пол|Лоренц|Лотк|Вольтерр|Тод|Льенар|Пенлеве|Эмден)"
 )
 _NAMED = re.compile(
-    rf"\b{_THING}\s+(?:of\s+)?{_NAMES}|\b{_NAMES}(?:['’]s)?(?:\s*[-–]+\s*\w+)?\s+{_THING}",
+    rf"\b{_THING}\s+(?:of\s+)?{_NAMES}(?![\s,]*§)|\b{_NAMES}(?:['’]s)?(?:\s*[-–]+\s*\w+)?\s+{_THING}(?![\s,]*§)",
     re.IGNORECASE,
 )
 """Systems that are not linear, by the names of those who found them."""
