@@ -18,6 +18,7 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -75,6 +76,17 @@ _OF_POINTS = (InvariantRelations, RestPoint, RestPoints, OfLinearPart, Inequalit
 """The claims that say so little of the law that for one of them alone it is not suspected."""
 
 
+_TWO_SIGNS = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
+
+
+def _as_printed(claim: Claim) -> tuple[str, ...]:
+    """The formula of a claim that is printed for two signs at once; else the claim itself."""
+    printed = claim.printed
+    if printed is None or not _TWO_SIGNS.search(printed.tex):
+        return (claim.id,)
+    return (printed.display.id, printed.tex)
+
+
 @dataclass
 class Blame:
     """The search for what makes claims fail, in a run that has come to its end."""
@@ -119,7 +131,10 @@ class Blame:
         return [c for c in self._derivation.claims if c.id in refuted.difference(self.corrected)]
 
     def clusters(self) -> list[list[Claim]]:
-        """The claims that one change may mend together: they stand on formulas in common."""
+        """The claims that one change may mend together: they stand on formulas in common.
+
+        What one formula prints for both of two signs is said once.
+        """
         found: list[tuple[list[Claim], frozenset[Printed]]] = []
         for claim in self.open():
             if self._explains_itself(claim):
@@ -129,7 +144,7 @@ class Blame:
             found = [cluster for cluster in found if cluster not in near]
             claims = [one for ones, _ in near for one in ones]
             found.append(([*claims, claim], reads.union(*(read for _, read in near))))
-        return [claims for claims, _ in found if len(claims) > 1]
+        return [claims for claims, _ in found if len({*map(_as_printed, claims)}) > 1]
 
     def shared(self, cluster: Sequence[Claim]) -> Repairs:
         """The corrections of claims of a cluster that one change mends together."""

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.reading import CLAIM
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 
 CONVECTION = r"""The equations of motion are \begin{equation}\label{a}
@@ -213,3 +214,10 @@ def test_eigenvalues_at_the_point_of_which_the_clause_before_speaks(text, true, 
 )
 def test_what_is_no_eigenvalue_at_that_point_is_not_judged(words):
     assert not any(one for tex, one in verdicts(CUBIC + words).items() if "k" in tex)
+
+
+@pytest.mark.parametrize("wrong", [r"\pm\sqrt{ab}", r"\pm2i\sqrt{ab}"])
+def test_two_eigenvalues_of_one_formula_do_not_make_the_law_suspect(wrong):
+    text = rf"Let $\dot x=ay$, $\dot y=-bx$. The eigenvalues at the origin are ${wrong}$."
+    assert {one.verdict for one in audited(text).formulas if one.role == "law"} == {"given"}
+    assert not any(one.green for one in verdicts(text).values())
