@@ -252,8 +252,8 @@ CUES: dict[str, str] = {
         [;.,]\s*(?:but|however,?)\s+(?:it|this|they)\s+(?:is|are|does|do)\s+not\s*(?:[.;,]|so\b|$)
         ,\s*(?:но|однако)\s+это\s+не\s+так
         (?:это|что)\s+неверно
-        \b(?:constant|conserved|preserved)\b[^.;]{0,30}\b(?:and|but|then)\s+(?:(?:it|then|later|afterwards)\s+)*(?:grow|increas|decreas|decay|chang|var(?:y|ies)|jump|oscillat)\w*
-        \b(?:постоян(?:на|но|ен)|сохраняется)\b[^.;]{0,30}\b(?:и|а|но|затем)\s+(?:затем\s+|потом\s+)?(?:раст|убыва|меня|возраста)\w*""",
+        \b(?:constant|conserved|preserved)\b(?:(?!\b(?:if|when)\b)[^.;]){0,30}\b(?:and|but|then)\s+(?:(?:it|then|later|afterwards)\s+)*(?:grow|increas|decreas|decay|chang|var(?:y|ies)|jump|oscillat)\w*
+        \b(?:постоян(?:на|но|ен)|сохраняется)\b(?:(?!\b(?:если|при)\b)[^.;]){0,30}\b(?:и|а|но|затем)\s+(?:затем\s+|потом\s+)?(?:раст|убыва|меня|возраста)\w*""",
     "timeless": r"""
         \bintegral\s+(?:that|which)\s+(?:does\s+not|never)\s+(?:explicitly\s+)?depend\s+(?:explicitly\s+)?on\s+(?:the\s+)?time\b
         \b(?:autonomous|time-independent)\s+(?:first\s+)?integral

@@ -246,7 +246,9 @@ class Parts:
         if not before:
             return
         mentioned = {name for law in known.laws for name in law.mentions}
-        mentioned -= {name for part in before for name in part.varying(mentioned)}
+        mentioned -= {
+            name for part in before for name in part.varying(mentioned) if _is_given(name, part)
+        }
         met = mentioned | known.definitions.keys()
         waiting = [name for name in fresh if name not in met]
         while waiting:
@@ -297,6 +299,12 @@ class Parts:
         law = self.known[place].laws[0]
         here = law.first.section in item.sections
         return here and not self.named_apart[place] & {*scene.constants}
+
+
+def _is_given(name: str, known: Known) -> bool:
+    """Whether a name stands for what moves: it is no value of an integral."""
+    roles = [(one, known.roles[one]) for one in known.definitions.get(name, ())]
+    return any(one.members[:1] == (Name(name),) and role.kind != "integral" for one, role in roles)
 
 
 def _in_order(laws: Sequence[Law], maps: Sequence[Law]) -> list[Law]:

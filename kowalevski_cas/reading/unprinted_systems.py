@@ -14,11 +14,12 @@ from kowalevski_cas.notation import Derivative, Name
 from kowalevski_cas.reading.degrees import degrees, is_linear
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.statements import SourceStatement
 
 
-class _Kind(NamedTuple):
-    """A kind of systems: what they are called, what acts there, and which laws are of it."""
+class _Sort(NamedTuple):
+    """A sort of systems: what they are called, what acts there, and which laws are of it."""
 
     called: str
     acting: str
@@ -72,41 +73,41 @@ def _mentions(*letters: str) -> Callable[[Law, Known], bool]:
 
 
 _KINDS = (
-    _Kind(
+    _Sort(
         r"damped|dissipative|viscous|затухающ\w*|демпфированн\w*|диссипативн\w*",
         r"friction|damping|dissipation|viscosity|drag|(?:air\s+)?resistance|трени\w+|затухани\w+|демпфировани\w+|сопротивлени\w+",
         r"fricti|\bdamp|dissip|viscos|\bdrag|resist|трени|затуха|демпф|диссип|вязк|сопротивл",
         _is_damped,
     ),
-    _Kind(
+    _Sort(
         r"forced|driven|kicked|вынужденн\w*",
         rf"{_FORCE}|forcing",
         rf"\bforced|forcing|driv|excit|kick|external|вынужд|внешн|{_FORCE}",
         lambda law, known: _mentions("t", "F")(law, known) or _is_loaded(law, known),
     ),
-    _Kind(
+    _Sort(
         r"perturbed|возмущ[её]нн\w*",
         r"perturbations?|возмущени\w+",
         r"perturb|возмущ",
         _mentions(r"\varepsilon", r"\epsilon", r"\mu", r"\delta"),
     ),
-    _Kind(
+    _Sort(
         r"lineari[sz]ed|линеаризованн\w*",
         r"lineari[sz]ation",
         r"lineari[sz]|small|линеариз|мал|approxim|приближ",
         is_linear,
     ),
-    _Kind(r"delayed|запаздывающ\w*", r"delays?|запаздывани\w+", "delay|retard|запазд"),
-    _Kind(r"noisy|stochastic|стохастическ\w*", r"noise|шум\w*", "nois|stochast|random|шум|стохаст"),
-    _Kind(r"relativistic|релятивистск\w*", r"relativistic\s+\w+", "relativi|релятив"),
-    _Kind(r"quantum|квантов\w*", r"quantum\s+\w+", "quant|квант"),
-    _Kind(
+    _Sort(r"delayed|запаздывающ\w*", r"delays?|запаздывани\w+", "delay|retard|запазд"),
+    _Sort(r"noisy|stochastic|стохастическ\w*", r"noise|шум\w*", "nois|stochast|random|шум|стохаст"),
+    _Sort(r"relativistic|релятивистск\w*", r"relativistic\s+\w+", "relativi|релятив"),
+    _Sort(r"quantum|квантов\w*", r"quantum\s+\w+", "quant|квант"),
+    _Sort(
         r"(?:time-)?discreti[sz]ed|discrete|дискретн\w*|дискретизованн\w*|разностн\w*",
         r"discreti[sz]ation",
         r"discret|differenc|дискрет|разност|\bmap|отображ",
         lambda law, known: bool(law.images),
     ),
-    _Kind("coupled", r"coupling", "coupl|связ", lambda law, known: len(law.variables) > 2),
+    _Sort("coupled", r"coupling", "coupl|связ", lambda law, known: len(law.variables) > 2),
 )  # fmt: skip
 _SIGNED = (
     r"(?:potential|forces?|fields?|springs?|charges?|interaction|coupling|mass|non-?linear\w*|cubic"
@@ -145,7 +146,7 @@ _NAMED = re.compile(
 """Systems that are not linear, by the names of those who found them."""
 
 
-def _pattern(kind: _Kind) -> re.Pattern[str]:
+def _pattern(kind: _Sort) -> re.Pattern[str]:
     """What speaks of a kind of systems, if no value stands behind it."""
     return re.compile(
         rf"\b(?:{kind.called})(?:\s+[\w-]+){{0,2}}?\s+{_THING}"
@@ -233,14 +234,23 @@ def _sets_up(item: SourceStatement, known: Known, end: int) -> Iterator[str]:
     yield from (f" {one.title} " for one in item.sections if one.start >= end)
     start = max(item.paragraph, item.section.start, end)
     if _GOES_ON.match(item.before) and start < item.sentence[0]:
-        yield prose.between(*prose.sentence(item.sentence[0] - 1))
+        before = prose.sentence(item.sentence[0] - 1)
+        if not _prints_rates(before, known):
+            yield prose.between(*before)
     for at in prose.stops:
         if start <= at < item.sentence[0]:
             words = prose.between(*prose.sentence(at))
+            if _prints_rates(prose.sentence(at), known):
+                continue
             if _SETS_UP.search(words) and not _ELSEWHERE.search(words):
                 yield words
             elif _BACK.search(words):
                 yield " original "
+
+
+def _prints_rates(sentence: tuple[int, int], known: Known) -> bool:
+    """Whether equations of motion stand in a sentence: then the system is printed."""
+    return any(map(is_row, known.of_sentence(sentence)))
 
 
 def _said(words: str, around: str, laws: list[Law], known: Known) -> str:

@@ -107,7 +107,7 @@ def test_what_no_verdict_covers_is_listed(tmp_path, capsys):
     )
     main(["audit", "--alone", "--format", "json", str(path)])
     listed = json.loads(capsys.readouterr().out)["uncovered"]
-    assert [one["kind"].partition(":")[0] for one in listed] == ["integral", "number"]
+    assert [one["kind"].partition(":")[0] for one in listed] == ["one alone", "period"]
     assert [one["words"].split()[0] for one in listed] == ["There", "Almost"]
     main(["audit", "--alone", str(path)])
     assert "What the text claims and no verdict covers" in capsys.readouterr().out
