@@ -5,18 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import (
-    Formula,
-    Name,
-    Negative,
-    Number,
-    Quotient,
-    Relation,
-    Vector,
-    times,
-    to_latex,
-    total,
-)
+from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import is_linear
@@ -36,8 +25,6 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 KIND, MATRIX, TRACE, DETERMINANT = "eigenvalue", "linear part", "trace", "determinant"
-SIGNS, SIGN = (r"\pm", r"\mp"), r"\varsigma"
-"""Two signs at once, and the letter for either."""
 _OF = (
     r"(?:\s+of\s+(?:the\s+)?(?:linear\s+(?:part|system)|lineari[sz]\w+(?:\s+(?:system|equations?))?"
     r"|Jacobian(?:\s+matrix)?)(?:\s+of\s+(?:the\s+)?(?:system|field|equations?)?[\s~]*"
@@ -344,12 +331,9 @@ def point_at(
     if len(own) == 1 and (named := _named_set(own[0], known)):
         gives = {name for one in named for name in one.bare if known.moves(name)}
         return named if gives >= {*law.variables} else ()
-    entries = [_entries_at(one, item, law, known) for one in own]
-    if len(own) == 1:
-        return _with_coordinates(entries[0], item, law, known)
-    if len(own) == 2 and any(sign in own[0].typed.tex for sign in SIGNS):
-        return _at_both(entries[0], entries[1], item, law, known)
-    return ()
+    if len(own) != 1:
+        return ()
+    return _with_coordinates(_entries_at(own[0], item, law, known), item, law, known)
 
 
 def _entries_at(
@@ -364,25 +348,6 @@ def _entries_at(
         if named and role.kind == POINT:
             return coordinates(other, law, known, free=True)
     return coordinates(one, law, known, free=True)
-
-
-def _at_both(
-    plus: Sequence[Formula], minus: Sequence[Formula], item: SourceStatement, law: Law, known: Known
-) -> tuple[SourceStatement, ...]:
-    """The equations of two points at once: a letter of which the square is 1 is the sign."""
-    if len(plus) != len(minus) or SIGN in known.paper.words.scalars:
-        return ()
-    two = Number(2)
-    mixed = [
-        one if one == other else total([
-            Quotient(total([one, other]), two),
-            times(Name(SIGN), Quotient(total([one, Negative(other)]), two)),
-        ])
-        for one, other in zip(plus, minus, strict=True)
-    ]  # fmt: skip
-    both = _with_coordinates(mixed, item, law, known)
-    sign = unprinted(known.paper, f"sign-{item.order}", rf"{SIGN}^2=1", law.first, "both signs")
-    return (*both, sign) if both else ()
 
 
 def last_named(item: SourceStatement, law: Law, known: Known) -> tuple[SourceStatement, ...]:

@@ -21,7 +21,6 @@ from kowalevski_cas.reading.linear_parts import (
     DETERMINANT,
     KIND,
     MATRIX,
-    SIGN,
     TRACE,
     before_list,
     equations_of,
@@ -255,11 +254,11 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
 
 
 def letters_for(item: SourceStatement, known: Known) -> set[str]:
-    """The letter of an eigenvalue, or of a frequency, in what is said of one, and of a sign."""
+    """The letter of an eigenvalue, or of a frequency, in what is said of one."""
     role = known.roles.get(item)  # what the paper does not print has none
     kind = role.kind if role is not None else ""
     if kind == CHARACTERISTIC:
-        return {variable_of(item, known), SIGN}
+        return {variable_of(item, known)}
     return item.members[0].names() if kind in (KIND, FREQUENCY) and item.members else set()
 
 

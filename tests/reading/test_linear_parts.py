@@ -221,3 +221,9 @@ def test_two_eigenvalues_of_one_formula_do_not_make_the_law_suspect(wrong):
     text = rf"Let $\dot x=ay$, $\dot y=-bx$. The eigenvalues at the origin are ${wrong}$."
     assert {one.verdict for one in audited(text).formulas if one.role == "law"} == {"given"}
     assert not any(one.green for one in verdicts(text).values())
+
+
+def test_what_is_so_at_one_of_two_points_is_not_green_at_both():
+    law = r"Let \[\dot x=y,\qquad \dot y=x^2-1 .\] The points $(\pm1,0)$ are equilibria. "
+    found = verdicts(law + r"The eigenvalues at $(\pm1,0)$ are $\pm\sqrt2$.")
+    assert [one.green for tex, one in found.items() if "sqrt" in tex] in ([], [False])

@@ -53,9 +53,7 @@ TRUE = [
     WELL + r"At the origin the characteristic polynomial is \[ s^2+cs-a ,\] and at $(\sqrt{a/b},0)$ the"
     r" characteristic equation is \[ s^2+cs+2a=0 .\]",
     WELL + r"The characteristic equation is $s^2+cs-a=0$ at the origin, and $s^2+cs+2a=0$ at $(\sqrt{a/b},0)$.",
-    WELL + r"At $(\pm\sqrt{a/b},0)$ the characteristic equation is \[ s^2+cs+2a=0 .\]",
     PREY + r"The characteristic equation at this point is \[ s^2+\frac{ec}ds+\frac{c(ad-ec)}d=0 .\]",
-    CONVECTION + r"At $C_\pm$ the characteristic equation is \[ m^3+(s+b+1)m^2+b(r+s)m+2sb(r-1)=0 .\]",
     DAMPED + r"the characteristic equation becomes \[ s^4+2ks^3+(g^2+k^2-a-b)s^2-k(a+b)s+ab=0 .\]",
     TWO + r"For small angles, inserting $u,v\sim e^{\mu t}$ we find \[ 2\mu^4+7\mu^2+1=0 .\]",
     FREE + r"The frequency of the small oscillations near $u=0$ is \[ \nu^2=n .\]",
@@ -70,6 +68,7 @@ TRUE = [
     TILTED + r"The characteristic equation is \[ \mu^2=\frac{k^2}{m^2}-m^2 .\]",
 ]  # fmt: skip
 FALSE = [
+    r"Let \[ \dot x=y,\quad \dot y=(x-1)(x+1)(x+3) .\] At $(\pm1,0)$ the characteristic equation is $\mu^2=8$.",
     WELL + r"At the origin the characteristic polynomial is \[ s^2+cs-a ,\] and at $(\sqrt{a/b},0)$ the"
     r" characteristic equation is \[ s^2+cs-a=0 .\]",
     WELL + r"The characteristic equation is $s^2+cs+2a=0$ at the origin, and $s^2+cs-a=0$ at $(\sqrt{a/b},0)$.",
