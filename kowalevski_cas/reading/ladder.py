@@ -35,6 +35,7 @@ from kowalevski_cas.reading.kept import constancy
 from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
+from kowalevski_cas.reading.places_of_rest import velocities_at_rest
 from kowalevski_cas.reading.roots_in_words import OF_ROOTS, equation_of_roots
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
@@ -290,13 +291,17 @@ class _Ladder(RungMaker):
         if relations[0] is not self.item:
             return
         kind, says = _OF_SETS[self.role.kind]
-        bound = self.known.bound
-        about: dict[str, Any] = {"relations": places((*relations, *bound))}
-        own = about["relations"]
-        if kind is RestPoints and solved_by(relations[0], "equilibrium"):
-            about["are_all"], says = True, f"{says}, and only there"
+        bound, about = self.known.bound, dict[str, Any]()
+        own = places((*relations, *bound))
+        if kind is RestPoints:
+            law = self.stage.law(self.item, relations)
+            still = velocities_at_rest(relations, law, self.known) if law is not None else []
+            bound, own = [*bound, *still], places(relations)
+            about = {"given": places(bound)} if bound else {}
+            if solved_by(relations[0], "equilibrium"):
+                about["are_all"], says = True, f"{says}, and only there"
         for assumptions in ways:
-            yield self.rung(kind, says, assumptions, bound, relations, **about)
+            yield self.rung(kind, says, assumptions, bound, relations, relations=own, **about)
         if along := self._along(relations) if kind is InvariantRelations else []:
             says, more = "no motion that begins along this set leaves it", places(along)
             for assumptions in ways:

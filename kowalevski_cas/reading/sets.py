@@ -89,6 +89,9 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
         if _OR.search(words) or _AND.search(words):
             joined.append("or" if _OR.search(words) else "and")
             lists.append([])
+        elif _left(one) in map(_left, lists[-1]) and not one.derives:  # it has another value
+            joined.append("or")
+            lists.append([])
         lists[-1].append(one)
     several = run[0].typed.inline and _are_several(cue("places", run[0].before), run)
     if several and all(len(part) == 1 for part in lists[1:]):

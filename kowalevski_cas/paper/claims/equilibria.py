@@ -58,11 +58,12 @@ class RestPoint(Claim):
 class RestPoints(Claim):
     """The points where the printed equations hold are states of rest, and perhaps all of these.
 
-    Velocities, which are variables where higher derivatives are printed, are zero at rest.
+    They satisfy what is ``given`` besides, as constraints of the motion. Velocities, which are variables where higher derivatives are printed, are zero at rest.
     """
 
     relations: tuple[Printed, ...]
     are_all: bool = False
+    given: tuple[Printed, ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
@@ -72,6 +73,7 @@ class RestPoints(Claim):
         still = [vanishes(Name(name)) for name in space.velocities.values()]
         relations = equations(on, space, self.relations)
         rest = tuple(vanishes(rate(Name(name))) for name in space.variables)
+        still += equations(on, space, self.given)
         yield Follows(space, (rest,), (*relations, *still))
         if self.are_all:
             yield Follows(space, (relations,), (*rest, *still))
