@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import Derivative, Name, to_latex
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import degrees
 from kowalevski_cas.reading.hypotheses import is_value
 from kowalevski_cas.reading.known import Known
@@ -34,7 +35,10 @@ def velocities_at_rest(places: SetOfEquations, law: Law, known: Known) -> list[S
     Each is that what moves a coordinate vanishes: one name, in the first degree, of which the
     sentence says nothing. There are none if the words may be about other states there as well.
     """
-    if _FAMILY.search(places[0].words) or not all(is_value(one, known) for one in places):
+    words = places[0].words
+    if not cue("equilibrium", words) or _FAMILY.search(words):
+        return []
+    if not all(is_value(one, known) for one in places):
         return []
     beside = known.of_sentence(places[0].sentence)
     told = {*known.names.scalars(name for one in beside for name in one.names)}

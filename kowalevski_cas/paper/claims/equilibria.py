@@ -58,7 +58,8 @@ class RestPoint(Claim):
 class RestPoints(Claim):
     """The points where the printed equations hold are states of rest, and perhaps all of these.
 
-    They satisfy what is ``given`` besides, as constraints of the motion. Velocities, which are variables where higher derivatives are printed, are zero at rest.
+    They satisfy what is ``given`` besides, as constraints of the motion. Velocities, which are
+    variables where higher derivatives are printed, are zero at rest.
     """
 
     relations: tuple[Printed, ...]
