@@ -32,7 +32,7 @@ from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
 from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.kept import constancy
-from kowalevski_cas.reading.motion_rungs import along_solution, first_order, of_motion, solutions
+from kowalevski_cas.reading.motion_rungs import along_solution, of_motion, solutions, to_some_order
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
@@ -86,7 +86,7 @@ class _Ladder(RungMaker):
                 yield from solutions(self)
             case "approximate":
                 yield from map(stronger, self.identities())
-                yield from first_order(self)
+                yield from to_some_order(self)
             case "somewhere":
                 yield from map(stronger, (*self.values(), *along_solution(self)))
                 yield from of_motion(self)

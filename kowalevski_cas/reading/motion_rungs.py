@@ -22,6 +22,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import near
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.orders import orders_of
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
 from kowalevski_cas.reading.solutions import ALL, PrintedSolution, lacking, levels_in, solution_of
@@ -200,10 +201,18 @@ def along_solution(at: RungMaker) -> Iterator[Rung]:
         yield replace(rung, on=(*rung.on, *solution), given=tuple(solution))
 
 
-def first_order(at: RungMaker) -> Iterator[Rung]:
-    """That a rate is right up to what vanishes twice at the point, or on the set, before it."""
+def to_some_order(at: RungMaker) -> Iterator[Rung]:
+    """That an equation is right up to small quantities near the point, or set, before it."""
     given = near(at.item, at.known)
-    if at.item.derives and given:
-        says = "up to small quantities of the second order both sides are equal"
-        rung = at.rung(DoubleZero, says, at.supposed, given, given=places(given))
-        yield replace(rung, idle=None)  # it is said of what is near
+    if not (at.item.derives and given):
+        return
+    orders = orders_of(at.item, given, at.known)
+    if orders is None:
+        raise ValueError("to which order it holds is not known")
+    says = f"up to small quantities of the {_ORDINALS[len(orders.all)]} order both sides are equal"
+    rung = at.rung(DoubleZero, says, at.supposed, given, given=places(given), orders=orders.all)
+    # it is said of what is near, and so it is not idle
+    yield replace(rung, idle=None, is_stronger=orders.is_stronger)
+
+
+_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh")

@@ -1,11 +1,14 @@
 """Double zeros: an expression vanishes with its gradient wherever given equations hold.
 
-Of an equation that is the difference of its sides: it holds there to the first order.
+Of an equation that is the difference of its sides: it holds there to the first order, or to higher
+ones as well.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import reduce
+from itertools import combinations_with_replacement
 
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.paper.claims.claim import Claim
@@ -25,15 +28,24 @@ from kowalevski_cas.problem.goals import Follows, Goal
 
 
 class DoubleZero(Claim):
-    """The printed expression vanishes with all its partial derivatives where ``given`` hold."""
+    """The printed expression vanishes with its partial derivatives where ``given`` hold.
+
+    They are all those of some ``orders``.
+    """
 
     given: tuple[Printed, ...]
     main: tuple[tuple[str, ...], ...] = ()
+    orders: tuple[int, ...] = (1,)
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         value = self._value(on, space)
-        gradient = (vanishes(slope(space, value, name)) for name in moving(space, value))
+        names = moving(space, value)
+        gradient = (
+            vanishes(reduce(lambda one, name: slope(space, one, name), chosen, value))
+            for order in self.orders
+            for chosen in combinations_with_replacement(names, order)
+        )
         yield Follows(
             space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main
         )

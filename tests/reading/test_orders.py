@@ -1,0 +1,45 @@
+"""Approximations hold to the order that is printed, or that words name."""
+
+import pytest
+
+from tests.reading.test_reading import verdicts
+
+PENDULUM = (
+    r"The motion is \[ \ddot\theta=-\sin\theta. \] Let $E=\tfrac12\dot\theta^2+1-\cos\theta$. "
+)
+CUBIC = r"The motion is \[ \ddot x=-x-x^2. \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "true"),
+    [
+        (r"For small $\theta$ we have $\ddot\theta=-\theta$.", True),
+        (r"For small $\theta$ we have $\ddot\theta=-\theta$ up to terms of the third order.", True),
+        (r"For small $\theta$ we have $\ddot\theta=-\theta$ up to terms of the fifth order.", False),
+        (r"For small $\theta$, $\ddot\theta=-\theta+\frac16\theta^3$.", True),
+        (r"For small $\theta$, $\ddot\theta=-\theta+\frac13\theta^3$.", False),
+        (r"For small $\theta$, $\ddot\theta=-\theta+\frac16\theta^2$.", False),
+        (r"For small $\theta$, keeping terms of the third order, $\ddot\theta=-\theta$.", False),
+        (r"Для малых колебаний $\ddot\theta=-\theta$ с точностью до членов третьего порядка.", True),
+        (r"Для малых колебаний $\ddot\theta=-\theta$ с точностью до членов пятого порядка.", False),
+        (r"For small oscillations $E=\tfrac12\dot\theta^2+\tfrac12\theta^2$.", True),
+        (r"For small oscillations $E=\tfrac12\dot\theta^2+\theta^2$.", False),
+        (r"For small $\theta$ we have $E=\tfrac12\dot\theta^2+\tfrac12\theta^2-\theta^4$.", False),
+    ],
+)  # fmt: skip
+def test_an_approximation_is_right_to_its_order(words, true):
+    *_, last = verdicts(PENDULUM + words).values()
+    assert last.green == true
+
+
+@pytest.mark.parametrize(
+    ("words", "true"),
+    [
+        ("Neglecting terms of the second order, for small $x$ we have", True),
+        ("Retaining only the linear terms, for small $x$ we have", True),
+        ("For small $x$ we have to the second order", False),
+    ],
+)
+def test_what_is_left_out_may_be_wrong(words, true):
+    found = verdicts(CUBIC + words + r" $\ddot x=-x$.").get(r"\ddot x=-x")
+    assert (found is not None and found.green) == true
