@@ -441,6 +441,8 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     paper, said = reading.paper, reading.parts.said
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
     kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
+    rests = (f for f in judged if isinstance(f.claim, RestPoints) and f.claim.are_all)
+    kinds |= {(f.item.sentence, "all rest") for f in rests}
     covered = [*said.skipped(paper.prose), *(f.span for f in judged if f.span is not None)]
     ends = [0, *(typed.end for _, typed in paper.displays)]
     for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them

@@ -69,6 +69,13 @@ _CONDITION = re.compile(
     re.IGNORECASE,
 )
 _WHERE = re.compile(r"\b(?:domain|region|octant|half|set|surface|level|manifold)\b", re.IGNORECASE)
+_SOMEWHERE = re.compile(
+    r"\b(?:independent|независимы\w*)\b[\s,]*(?:(?:also|even|only|already|just|still|тоже|лишь|только)[\s,]+)*"
+    r"(?:at|on|in|for|where|wherever|along|near|inside|over|with|even|also|в|на|при|для|там|вне|вблизи)\b"
+    r"(?!\s+(?:(?:each|every|any|all|general|the\s+(?:sense|whole\s+(?:of\s+the\s+)?phase\s+space))\b|кажд|люб|вс[её]|общем))",
+    re.IGNORECASE,
+)
+"""Words for a place where functions are independent, or are not."""
 _NUMBERS = "one two three four five six seven eight nine ten".split()
 _NUMBER = re.compile(rf"\b(?:{'|'.join(_NUMBERS)})\b", re.IGNORECASE)
 _PART_OF = re.compile(r"(?:\b(?:of|with|between|and|or)|[§,])\s*$", re.IGNORECASE)
@@ -212,7 +219,7 @@ def _independent(
 ) -> InWords | None:
     """That functions are independent: almost everywhere, or at every point if the words say so."""
     places = tuple(one.printed for one in functions)
-    if _WHERE.search(words):
+    if _WHERE.search(words) or _SOMEWHERE.search(words):
         return None
     if not _EVERYWHERE.search(words):
         values: dict[str, object] = {"levels": (), "equations": (), "functions": places}

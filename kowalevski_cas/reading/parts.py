@@ -33,6 +33,7 @@ from kowalevski_cas.reading.suppositions import POSITIVE
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
+from kowalevski_cas.reading.which_system import part_in_words
 
 _RETURN = re.compile(
     r"\W*(?:(?:let\s+us|we|now|finally|again|then|next)[\s,]+)*"
@@ -74,6 +75,9 @@ class Parts:
         self.places = {item: self._place(item) for item in paper.items}
         self.places |= dict(self._of_what_is_defined())
         self.places |= dict(self._of_what_is_averaged(own))
+        for item in paper.items:
+            if (named := part_in_words(item, own, paper.prose)) is not None:
+                self.places[item] = named
         for item, place in self.places.items():
             placed[place].append(item)
         self.known = [

@@ -89,6 +89,7 @@ from kowalevski_cas.reading.suppositions import (
 from kowalevski_cas.reading.tried import tried
 from kowalevski_cas.reading.unknowns import unknown
 from kowalevski_cas.reading.unprinted_systems import of_another_system
+from kowalevski_cas.reading.which_system import of_several
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
 """How words end behind which something belongs to a name, and is spoken of itself."""
@@ -118,6 +119,9 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     own = prints or inferred.kind in (*OF_LINEAR_PART, "approximate")
     if inferred.name == CLAIM and not own and (said := of_another_system(item, known)):
         why = f"of a law that is not printed: “{said}”"
+        inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
+    elif inferred.name == CLAIM and (said := of_several(item, known)):
+        why = f"“{said}”: of several systems, and one only would be looked at"
         inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
     found = known.said.role(item)
     return inferred if found is None else said_role(found, item, inferred, known)

@@ -40,6 +40,26 @@ STATES: dict[str, str] = {
         \bв\s+инволюции\b(?![^.]*\\\{)""",
     "tends": r"""
         \\to(?![A-Za-z])[^$]*\$\s*(?:as|when|for|при|когда)\s*\$[^$]*\\to(?![A-Za-z])""",
+    "orbit": r"""
+        \bclosed\s+(?:orbit|trajector|path|loop)\w* \blimit\s+cycles?\b \b(?:attract|repel)\w*
+        замкнут\w+\s+(?:орбит|траектор)\w+ предельн\w+\s+цикл\w* притягива\w+ отталкива\w+""",
+    "motion": r"""
+        \bperiodic\w* \basymptotic\w+ \b(?:un)?bounded\b \bescapes?\b \bmonoton\w+
+        периодич\w+ асимптотич\w+ (?:не)?ограничен\w+ монотонн\w+""",
+    "independence": r"""
+        \b(?:functionally\s+)?independent\b \bindependence\b \bdependent\b
+        независим(?:ы|ость)\w* \bзависим\w+""",
+    "otherwise": r"""
+        \bfor\s+no\s+other\b \bceas\w+\s+to\s+be\b \b(?:does|do)\s+not\s+hold\s+for\b
+        \b(?:it|this)\s+is\s+not[,.;]
+        \bthe\s+same\s+(?:is\s+(?:true|valid)|holds)\s+(?:for|if|when)\b
+        \b(?:assumption|condition)\s+is\s+(?:not\s+necessary|unnecessary|superfluous|essential)\b""",
+    "all rest": r"""
+        \b(?:only|all|exactly|single|unique|no)\s+(?:\w+\s+){0,2}(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)
+        \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\b[^.;]*\b(?:alone|only|exactly|precisely|requires?|no\s+(?:others?|more|further)|nothing\s+else|that\s+is\s+all|in\s+number|is\s+not)\b
+        \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\s+(?:are\s+the\s+(?:two|three|four|five)|form\s+the)\b
+        \b(?:exhausts?|complete\s+list|set)\s+(?:of\s+)?(?:the\s+|all\s+)?(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)
+        (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "integral": r"""
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
         \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
@@ -47,9 +67,6 @@ STATES: dict[str, str] = {
         constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
     "invariant": r"""
         \binvarian\w+ инвариантн\w+""",
-    "all rest": r"""
-        \b(?:only|all|exactly|single|unique)\s+(?:\w+\s+){0,2}(?:equilibri\w+|states?\s+of\s+rest)
-        (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "rest": r"""
         \bequilibri\w+ states?\s+of\s+rest равновеси\w+""",
     "dimension": r"""
@@ -64,8 +81,6 @@ STATES: dict[str, str] = {
     "existence": r"""
         there\s+(?:is|are|exists?|does\s+not\s+exist)\b \bexists?\b (?:has|have)\s+no\b
         \bno\s+other\b \bnever\b существу\w+ \bнет\b не\s+име\w+""",
-    "independence": r"""
-        independen\w+ \bdependent\b независим\w+ зависим\w+""",
     "sameness": r"""
         which\s+(?:is|are)\s+(?:not\s+)?the\s+same \bequivalen\w+ \bcoincid\w+
         \bif\s+and\s+only\s+if\b \bthe\s+same\s+as\b эквивалентн\w+ равносильн\w+ совпада\w+
@@ -76,8 +91,6 @@ STATES: dict[str, str] = {
     "reality": r"""
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
-    "motion": r"""
-        \bperiodic\w* \basymptotic\w+ \bbounded\b периодич\w+ асимптотич\w+ ограничен\w+""",
     "degree": r"""
         \b(?:linear|quadratic|cubic|quartic|polynomial|rational|elliptic|homogeneous)\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
@@ -92,7 +105,8 @@ STATES: dict[str, str] = {
 """Words that state something of a kind, in English and in Russian; spaces stand between them."""
 
 ALONE = (
-    "stability", "period", "one alone", "every one", "value", "in involution", "tends",
+    "stability", "period", "one alone", "every one", "value", "in involution", "tends", "orbit",
+    "motion", "independence", "otherwise", "all rest",
 )  # fmt: skip
 """The kinds that no claim of a formula states: they are told beside what is judged, too."""
 

@@ -143,3 +143,20 @@ def test_what_a_bracket_is_does_not_define_what_moves():
     rows = r"The equations are \[ \dot p=-qr,\quad \dot q=2rp,\quad \dot r=-pq . \] "
     found = reading(ON_A_SPHERE + r"With $H=p^2-r^2$ we have the equations of motion. " + rows)
     assert [law.variables for law in found.parts.laws] == [("p", "q", "r")]
+
+
+@pytest.mark.parametrize(
+    "where",
+    [
+        "on the axis $y=z=0$", "at the point $x=1$, $y=z=0$", "for $x=0$", "wherever $x\\ne0$",
+        "even at the equilibria", "if $x\\ne0$", "almost everywhere on $x=0$",
+    ],
+)  # fmt: skip
+def test_independence_at_a_place_is_not_that_in_general(where):
+    text = rf"""The motion is \[ \dot x=yz,\qquad\dot y=-2xz,\qquad\dot z=xy. \]
+    The integrals $F=2x^2+y^2$, $G=x^2-z^2$ are independent {where}."""
+    found = reading(text)
+    outcomes = ReadingSession(found).outcomes
+    told = [one for one in found.statements if one.claim and outcomes[one.claim.id].verdict.green]
+    assert not told
+    assert audit_reading(ReadingSession(found)).uncovered or found.statements

@@ -103,3 +103,41 @@ def test_a_word_that_is_as_strong_is_not(sentence):
 )
 def test_nor_is_anything_proved_that_its_sentence_takes_back(sentence):
     assert not any(one.verdict == "proved" for one in audited(CENTRE + sentence).formulas)
+
+
+WELL = r"The motion is \[ \dot x=y,\qquad\dot y=x-x^3 . \] "
+
+
+@pytest.mark.parametrize(
+    ("sentence", "kind"),
+    sampled(
+        [
+            (r"The equilibria are $x=\pm1$, $y=0$ alone.", "all rest"),
+            (r"The equilibria are $x=\pm1$, $y=0$, and there are no others.", "all rest"),
+            (r"The points $x=\pm1$, $y=0$ exhaust the equilibria.", "all rest"),
+            (r"The complete list of the equilibria is $x=\pm1$, $y=0$.", "all rest"),
+            (r"The equilibria are the two points $x=\pm1$, $y=0$.", "all rest"),
+            (r"Apart from $x=y=0$ there are no equilibria.", "all rest"),
+            (
+                r"The system has no equilibrium, and $y^2-x^2+\frac12x^4$ is an integral.",
+                "all rest",
+            ),
+            (r"The curve $y^2=x^2-\frac12x^4$ is a closed orbit.", "orbit"),
+            (r"The integral $y^2-x^2+\frac12x^4$ is bounded from above.", "motion"),
+            (
+                r"$y^2-x^2+\frac12x^4$ is an integral, and this does not hold for its half.",
+                "otherwise",
+            ),
+        ],
+        4,
+    ),
+)
+def test_what_goes_further_than_a_formula_is_listed_beside_it(sentence, kind):
+    found = audited(WELL + sentence)
+    assert kind in [one.kind.partition(":")[0] for one in found.uncovered]
+    assert not any(one.wrong for one in found.formulas)
+
+
+def test_what_is_judged_to_be_all_is_not_listed():
+    found = audited(WELL + r"The equilibria are the solutions of \[ y=0,\qquad x-x^3=0 . \]")
+    assert not found.uncovered

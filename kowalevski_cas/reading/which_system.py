@@ -1,0 +1,80 @@
+"""Of which of several systems words speak: of the first one, of the latter, or of both."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.text import Prose
+
+_NOUN = r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?|(?:систем|задач|модел|пол)\w*)"
+_ORDINALS = (
+    ("first", "former", "original", "initial", "перв", "исходн"),
+    ("second", "latter", "втор"),
+    ("third", "трет"),
+    ("fourth", "четв"),
+)
+_WORD = "|".join(word for words in _ORDINALS for word in words)
+_WHICH = re.compile(
+    rf"\b(?:of|for|in|by|to|has|have|under|для|в|у)\s+(?:the\s+)?(?P<which>{_WORD})\w*(?P<noun>\s+(?:of\s+(?:the|these|our)\s+)?{_NOUN}\b)?"
+    rf"|\b(?P<named>{_WORD})\w*\s+{_NOUN}\b",
+    re.IGNORECASE,
+)
+_ALL = re.compile(
+    rf"\b(?:both|either|each|all|every|neither)\s+(?:(?:of\s+)?(?:the|these|our|them)\s*)?(?:(?:two|three|four)\s+)?(?:{_NOUN}\b|[,.;:]|$|have|has|we)"
+    rf"|\b(?:the|these)\s+(?:two|three|four)\s+{_NOUN}\b"
+    r"|\b(?:об(?:е|их|еих)|кажд\w+\s+из|все\w*)\s+(?:\w+\s+)?(?:систем|задач|модел|этих|них)\w*",
+    re.IGNORECASE,
+)
+
+
+def part_in_words(item: SourceStatement, own: Sequence[Sequence[Law]], prose: Prose) -> int | None:
+    """The part of the system that words beside a statement name by its number."""
+    if len(own) < 2 or any(item in law.printed for laws in own for law in laws):
+        return None
+    number = _number(item)
+    if number is None:
+        return None
+    called = [k for k, laws in enumerate(own) if laws and number in _numbers(_setting(laws, prose))]
+    if len(called) == 1:
+        return called[0]
+    return number if not called and number < len(own) == 2 else None
+
+
+def of_several(item: SourceStatement, known: Known) -> str:
+    """The words by which a claim is one of several systems, of which one only is looked at."""
+    moving = {name for law in known.laws for name in law.variables}
+    if not moving & known.elsewhere:
+        return ""
+    found = _ALL.search(item.words)
+    return found[0].strip(" ,.;:") if found else ""
+
+
+def _number(item: SourceStatement) -> int | None:
+    """The number of the system of which the words right behind a statement speak, or before it."""
+    for words in (item.tail, item.lead, item.words):
+        if found := _numbers(words):
+            return found.pop() if len(found) == 1 else None
+    return None
+
+
+def _numbers(words: str) -> set[int]:
+    """The numbers of systems in words: without a noun behind it one is of something else."""
+    found = [*_WHICH.finditer(words)]
+    nouns = any(match["noun"] or match["named"] for match in found)
+    told = ((match["which"] or match["named"]).lower() for match in found)
+    return {
+        number
+        for word in told
+        for number, ordinals in enumerate(_ORDINALS)
+        if word in ordinals and (nouns or word in ("former", "latter"))
+    }
+
+
+def _setting(laws: Sequence[Law], prose: Prose) -> str:
+    """The sentence that sets a system up, up to its equations."""
+    row = laws[0].first
+    return prose.between(row.sentence[0], row.typed.start)
