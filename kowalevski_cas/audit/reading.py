@@ -41,7 +41,7 @@ from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.linear_parts import KIND
 from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY
-from kowalevski_cas.reading.uncovered import Uncovered, sentences
+from kowalevski_cas.reading.uncovered import OF_LAW, Uncovered, passage_at, sentences
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
@@ -448,8 +448,12 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them
         covered.append((max(end for end in ends if end <= one.start), one.end))
     stated = sentences(paper.prose, paper.source, paper.expanded, covered)
-    left = ((span, passage) for span, kind, passage in stated if (span, kind) not in kinds)
-    return [*dict(reversed([*left])).values()][::-1]
+    left = [(span, passage) for span, kind, passage in stated if (span, kind) not in kinds]
+    left += [
+        (row.sentence, passage_at(row.sentence, OF_LAW, paper.source, paper.expanded))
+        for row in reading.parts.deduced()
+    ]
+    return [*dict(sorted(left, reverse=True)).values()][::-1]
 
 
 def _skipped(reading: Reading) -> Iterator[JudgedStatement]:

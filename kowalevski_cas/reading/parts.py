@@ -31,7 +31,7 @@ from kowalevski_cas.reading.solved import SOLVED, solutions_for
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.suppositions import POSITIVE
 from kowalevski_cas.reading.text import references
-from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.unprinted import is_printed, unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
 from kowalevski_cas.reading.which_system import part_in_words
 
@@ -42,6 +42,17 @@ _RETURN = re.compile(
     re.IGNORECASE,
 )
 """How a sentence begins that comes back to what was spoken of before another system."""
+
+
+_DEDUCED = re.compile(
+    r"\b(?:then|hence|thus|therefore|consequently|so|becomes?|satisf(?:y|ies)|obeys?|described|gives?|gets?|obtains?|finds?|follows?"
+    r"|in\s+(?:the\s+)?\w+\s+(?:axes|frame|coordinates|variables)|reduces?|leads?|transforms?|takes?\s+the\s+form"
+    r"|тогда|отсюда|поэтому|следовательно|значит|удовлетвор\w+|получ\w+|принима\w+\s+вид|переход\w+|сводится|описыва\w+)\b",
+    re.IGNORECASE,
+)
+"""Words that deduce equations from what stands before."""
+_SUPPOSED = re.compile(r"\b(?:let|consider|suppose|assume|пусть|рассмотрим)\b", re.IGNORECASE)
+"""Words by which they are others, that need not follow."""
 
 
 class Parts:
@@ -175,6 +186,21 @@ class Parts:
         here = self.part_at(stop)
         place = self.part_at(cited[0].typed.start) if cited else here - 1
         return place if 0 <= place < here else None
+
+    def deduced(self) -> Iterator[SourceStatement]:
+        """The first equations of laws for new letters that words deduce from a law before.
+
+        Nothing that is read says what these letters stand for.
+        """
+        for law in self.laws[1:]:
+            row = law.first
+            tied = [law.change, law.together, law.restates, law.images, law.momenta, law.again]
+            old = law.base.variables if law.base is not None else ()
+            tied += [not one.names.isdisjoint(old) for one in law.items]
+            if any(tied) or law.begins is not None or not is_printed(row):
+                continue
+            if _DEDUCED.search(row.before) and not _SUPPOSED.search(row.before):
+                yield row
 
     def of(self, item: SourceStatement) -> Known:
         """What is known in the part of a statement."""

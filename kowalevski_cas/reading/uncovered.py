@@ -110,6 +110,9 @@ ALONE = (
 )  # fmt: skip
 """The kinds that no claim of a formula states: they are told beside what is judged, too."""
 
+OF_LAW = "law: “equations for new letters”"
+"""What is told of equations of motion in letters that nothing ties to those before."""
+
 _KINDS = {
     kind: re.compile("|".join(words.split()), re.IGNORECASE) for kind, words in STATES.items()
 }
@@ -173,13 +176,21 @@ def sentences(
             continue
         if any(part.title == "thebibliography" for part in prose.path(start)):
             continue
-        closed = _CLOSED.match(expanded.text, start, end)
-        begin = closed.end() if closed is not None else start
-        printed = " ".join(expanded.text[begin:end].split())
-        short = printed if len(printed) <= LONGEST else f"{printed[: LONGEST - 1]}…"
-        line = source.line(expanded.origin(begin, begin + 1)[0])
         for kind, said in stated.items():
-            yield (start, end), kind, Uncovered(line, short, f"{kind}: “{said}”")
+            told = f"{kind}: “{said}”"
+            yield (start, end), kind, passage_at((start, end), told, source, expanded)
+
+
+def passage_at(
+    sentence: tuple[int, int], kind: str, source: Source, expanded: Expanded
+) -> Uncovered:
+    """The sentence in an interval of the text, as no verdict covers it."""
+    start, end = sentence
+    closed = _CLOSED.match(expanded.text, start, end)
+    begin = closed.end() if closed is not None else start
+    printed = " ".join(expanded.text[begin:end].split())
+    short = printed if len(printed) <= LONGEST else f"{printed[: LONGEST - 1]}…"
+    return Uncovered(source.line(expanded.origin(begin, begin + 1)[0]), short, kind)
 
 
 def _stated(words: str, printed: str, spans: Sequence[tuple[int, int]]) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kowalevski_cas.reading.uncovered import OF_LAW
 from tests.audit.test_doubted import audited
 from tests.sample import sampled
 
@@ -141,3 +142,21 @@ def test_what_goes_further_than_a_formula_is_listed_beside_it(sentence, kind):
 def test_what_is_judged_to_be_all_is_not_listed():
     found = audited(WELL + r"The equilibria are the solutions of \[ y=0,\qquad x-x^3=0 . \]")
     assert not found.uncovered
+
+
+OSCILLATOR = r"The motion is \[ \dot x=y,\qquad\dot y=-x . \] "
+
+
+@pytest.mark.parametrize(
+    ("sentence", "listed"),
+    [
+        (r"Let $u$ be the square of $x$. Then \[ \ddot u=-4u, \] and $\dot u^2+4u^2$ is constant.", True),
+        (r"The distance $r$ satisfies \[ \ddot r=-r . \] Therefore $\dot r^2+r^2$ is constant.", True),
+        (r"Let $u$ satisfy \[ \ddot u=-4u . \] Then $\dot u^2+4u^2$ is constant.", False),
+        (r"Put $u=x^2$. Then \[ \ddot u=2y^2-2x^2 . \]", False),
+        (r"With $u=x+y$ and $v=x-y$ we get \[ \dot u=-v,\qquad\dot v=u . \]", False),
+    ],
+)  # fmt: skip
+def test_equations_for_letters_that_only_words_explain_are_listed(sentence, listed):
+    found = audited(OSCILLATOR + sentence)
+    assert [one.kind for one in found.uncovered if one.kind == OF_LAW] == [OF_LAW] * listed
