@@ -11,7 +11,8 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Application, Derivative, Name
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.paper.claims import FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
@@ -27,9 +28,10 @@ from kowalevski_cas.reading.known import DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_of_second_order
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.polar import ANGLES
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.two_energies import is_named, two_energies
+from kowalevski_cas.reading.two_energies import is_named, potential_energy, two_energies
 from kowalevski_cas.reading.unprinted import (
     gives_lagrangian,
     is_of_momenta,
@@ -58,6 +60,8 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
                 yield from _claims(item, laws[0], known, parts, place)
         if (pair := two_energies(known.items)) is not None:
             yield from _of_two(*pair, laws[0], parts)
+        elif (potential := potential_energy(known.items)) is not None:
+            yield from _of_potential(potential, laws[0], parts)
 
 
 def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
@@ -161,6 +165,42 @@ def _of_two(
         rows = [lagrange(names[0], x, names[1]) for x in law.variables]
         doubt = Doubt.UNLESS_MENDED if is_named(potential) else Doubt.ALWAYS
         yield from _each(rows, kinetic, law, parts, doubt)
+
+
+def _of_potential(potential: SourceStatement, law: Law, parts: Parts) -> Iterator[InWords]:
+    r"""The claims that accelerations are those of a potential: :math:`m\ddot x=-U_x`.
+
+    The mass is the letter m, if it stands in the law or the potential; each row has its own
+    acceleration, and no velocity.
+    """
+    known, mass = parts.of(potential), "m"
+    below = {inner for name in potential.names for inner in known.below(name)}
+    acting = {inner for name in law.mentions for inner in known.below(name)}
+    more = {name for name in acting - below if not (known.moves(name) or known.is_defined(name))}
+    angles = {*ANGLES} & {*law.variables} or any(map(_has_sines, (potential, *law.rows)))
+    if more - {mass} or angles or not all(map(_is_acceleration, law.rows)):
+        return
+    words = known.paper.prose.between(potential.section.start, law.first.typed.end)
+    if law.first.order < potential.order or tells_more(words) or known.bound:
+        return
+    factor = mass if mass in law.mentions | below else ""
+    rows = [
+        rf"{factor}\ddot{{{x}}}=-\frac{{\partial {potential.bare[0]}}}{{\partial {x}}}"
+        for x in law.variables
+    ]
+    yield from _each(rows, potential, law, parts, Doubt.ALWAYS)
+
+
+def _is_acceleration(row: SourceStatement) -> bool:
+    """Whether an equation gives one acceleration by places."""
+    right = [*row.members[1].nodes()] if len(row.members) == 2 else []
+    return [*row.rates.values()] == [2] and not any(isinstance(one, Derivative) for one in right)
+
+
+def _has_sines(item: SourceStatement) -> bool:
+    """Whether functions as the sine stand in a statement: what moves may be an angle."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return any(isinstance(one, Application) and one.function in FUNCTIONS for one in nodes)
 
 
 def _is_whole(item: SourceStatement, law: Law) -> bool:

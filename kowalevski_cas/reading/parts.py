@@ -194,10 +194,10 @@ class Parts:
         """
         for law in self.laws[1:]:
             row = law.first
-            tied = [law.change, law.together, law.restates, law.images, law.momenta, law.again]
+            tied = (law.change, law.together, law.restates, law.images, law.momenta, law.again)
             old = law.base.variables if law.base is not None else ()
-            tied += [not one.names.isdisjoint(old) for one in law.items]
-            if any(tied) or law.begins is not None or not is_printed(row):
+            beside = any(not one.names.isdisjoint(old) for one in law.items)
+            if any(tied) or beside or law.begins is not None or not is_printed(row):
                 continue
             if _DEDUCED.search(row.before) and not _SUPPOSED.search(row.before):
                 yield row

@@ -6,11 +6,13 @@ import re
 from collections.abc import Sequence
 
 from kowalevski_cas.notation import Derivative, Name, Number, Power
+from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.statements import SourceStatement
 
 _KINETIC = ("T", r"\mathcal{T}")
 _POTENTIAL = ("V", "U", r"\Pi", r"\mathcal{V}", r"\mathcal{U}")
+_ENERGIES = (*HAMILTONIANS, *LAGRANGIANS, *_KINETIC)
 _ENERGY = re.compile(r"\b(?:kinetic|potential|кинетич|потенциальн)", re.IGNORECASE)
 _POTENTIAL_ENERGY = re.compile(r"\b(?:potential|потенциал)", re.IGNORECASE)
 _OTHERWISE = re.compile(
@@ -38,6 +40,26 @@ def two_energies(
     near = first.sentence == second.sentence
     named = _ENERGY.search(first.before) and _ENERGY.search(second.before)
     return (first, second) if near or named else None
+
+
+_OF_OTHER = re.compile(
+    r"\b(?:effective|reduced|dimensionless|vector|electric|chemical|thermodynamic|stream|per\s+unit|generali[sz]ed)\b"
+    r"|\b(?:эффективн|привед[её]нн|безразмерн|векторн|электрическ|обобщ[её]нн)\w*",
+    re.IGNORECASE,
+)
+"""Words for potentials of which the slope is no force."""
+
+
+def potential_energy(items: Sequence[SourceStatement]) -> SourceStatement | None:
+    """The one potential that words call so, where no other energy is printed."""
+    found = [one for one in items if _gives(one, _POTENTIAL) and not one.derives]
+    named = [one for one in found if _POTENTIAL_ENERGY.search(one.before[-60:])]
+    energies = any(_gives(one, _ENERGIES) for one in items)
+    if len(found) != 1 or not named or energies:
+        return None
+    words = found[0].words
+    other = _OTHERWISE.search(words) or _OF_OTHER.search(words) or cue("denied", words)
+    return None if other else found[0]
 
 
 def has_squares_of_rates(item: SourceStatement) -> bool:

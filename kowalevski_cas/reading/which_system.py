@@ -10,7 +10,10 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
-_NOUN = r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?|(?:систем|задач|модел|пол)\w*)"
+_NOUN = (
+    r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?"
+    r"|(?:систем|задач|модел|пол)\w*)"
+)
 _ORDINALS = (
     ("first", "former", "original", "initial", "перв", "исходн"),
     ("second", "latter", "втор"),

@@ -252,3 +252,34 @@ def test_an_energy_behind_equations_among_words_is_not_their_law():
     text = r"Let $\dot q=p$, $\dot p=-q$. The transformation $Q=%sq$, $P=p$ is canonical, and $H=\frac12(P^2+Q^2)$ is conserved."
     assert [one.green for one in verdicts(text % "2").values()] == [False]
     assert [one.green for one in verdicts(text % "").values()] == [True]
+
+
+PLANE = (
+    r"A particle of mass $m$ moves in the plane. The potential is $U=\frac12k(x^2+y^2)$. We have "
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        (PLANE + r"\[ m\ddot x=-kx,\qquad m\ddot y=-ky . \]", [True, True]),
+        (PLANE + r"\[ m\ddot x=-kx,\qquad m\ddot y=ky . \]", [True, False]),
+        (PLANE + r"\[ \ddot x=-\frac kmx,\qquad\ddot y=-\frac kmy . \]", [True, True]),
+        (r"The potential energy of the mass $m$ is $V=mgz$. Then \[ \ddot z=-g . \]", [True]),
+        (
+            r"For the potential $V=x^2y$ we have \[ \ddot x=-2xy,\qquad\ddot y=-x . \]",
+            [True, False],
+        ),
+        # an angle, a force that is no slope, and what is no potential of a force
+        (r"The pendulum has the potential $V=-mgl\cos q$, and \[ \ddot q=-\frac gl\sin q . \]", []),
+        (r"For the potential $V=x^2$ with friction, \[ \ddot x=-2x-\mu\dot x . \]", []),
+        (r"In the effective potential $V=x^2$ we have \[ \ddot x=-x . \]", []),
+        (r"With the force function $U=-x^2$ we have \[ \ddot x=-2x . \]", []),
+    ],
+)
+def test_accelerations_are_those_of_a_potential(text, right):
+    found = reading(text + " The motion is integrable.")
+    outcomes = ReadingSession(found).outcomes
+    told = [one for one in found.statements if one.claim and one.role.kind == "energy"]
+    assert [outcomes[one.claim.id].verdict.green for one in told] == right
+    assert not any(outcomes[one.claim.id].verdict is Verdict.REFUTED for one in told)
