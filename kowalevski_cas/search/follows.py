@@ -12,6 +12,7 @@ from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Entailment, Point, Proof
 from kowalevski_cas.problem.examine import is_real, law, value_of
@@ -30,6 +31,9 @@ LARGEST_POWER = 3
 
 SIMPLEST = 20
 """Among how many points at which a goal fails the simplest is taken."""
+
+WHERE_IT_FAILS = 3.0
+"""Seconds for a proof of what fails at a point of the hypotheses, and holds at another one."""
 
 LARGE = 2000
 """Of a difference with so many terms the values take long: the first point is taken."""
@@ -60,7 +64,18 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
-        goals = alternatives(goal, at) if conclusions else []
+            # it holds at best where something does not vanish: most that fail at a point are false
+            with suppress(TimeoutError), time_limit(WHERE_IT_FAILS):
+                return self._proved(goal, at, point, divided)
+            return None
+        return self._proved(goal, at, point, divided)
+
+    def _proved(
+        self, goal: Follows, at: Evaluation, point: Point, divided: Sequence[Element]
+    ) -> Entailment | None:
+        """A proof by roots, by pieces, or by cofactors."""
+        known = at.differences(goal.given)
+        goals = alternatives(goal, at) if goal.conclusions else []
         roots = None if known else proof_by_equal_roots(goals, at)
         roots = roots or proof_by_pieces(goals, known, at)
         return Entailment(roots, point) if roots else self._combined(goal, at, point, divided)
