@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Number, Sum, substitute
+from kowalevski_cas.notation import Name, Number, Sum, substitute
 from kowalevski_cas.notation.symbol import rate_name
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import degrees
@@ -46,22 +46,35 @@ def at_no_deviation(item: SourceStatement, last: SetOfEquations, known: Known) -
         return ()
     others = {*law.variables} - {*law.new}
     own = tuple(one for one in last if {*one.bare} & others)
-    if {name for one in own for name in one.bare} & others != others:
+    given = {name for one in own for name in one.bare} & others
+    small = {name for name in others - given if _is_called_small(name, item, known)}
+    if given | small != others:
         return ()
-    orders = {name: n for row in law.base.rows for name, n in row.rates.items()}
-    given = {name: one for one in law.change for name in one.bare[:1]}
+    orders = law.base.orders
+    deviating = {name: one for one in law.change for name in one.bare[:1]}
     second = [
         new
-        for name, one in given.items()
+        for name, one in deviating.items()
         if orders.get(name, 0) > 1
         for new in one.names & {*law.new}
     ] + [name for name in others if orders.get(name, 0) > 1]
-    zero = [*law.new, *map(rate_name, sorted(second))]
+    zero = [*law.new, *sorted(small), *map(rate_name, sorted(second))]
     about = (
         unprinted(known.paper, f"no-deviation-{k}", f"{name}=0", item)
         for k, name in enumerate(zero)
     )
     return (*own, *about)
+
+
+def _is_called_small(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether the sentence prints a letter by itself, and leaves out what is not linear in it."""
+    beside = known.of_sentence(item.sentence)
+    named = any(one.formula == Name(name) and _IN.search(one.lead) for one in beside)
+    return named and bool(cue("linear", item.before))
+
+
+_IN = re.compile(r"(?:\bin|\bsmall|\band|^[\s,]*|\bпо|\bи|\bмал\w+)[\s~]*$", re.IGNORECASE)
+"""How words end behind which stands a letter in which something is linear, or small."""
 
 
 def _is_of_other_place(one: SourceStatement, row: SourceStatement, law: Law) -> bool:
@@ -80,8 +93,10 @@ def _law(item: SourceStatement, known: Known) -> Law | None:
         _FURTHER.search(words) and not _LEFT_OUT.search(words)
     ):
         return None
+    display = [one for one in known.of_sentence(item.sentence) if one.typed is item.typed]
+    named = {name for one in display for name in (*one.names, *one.rates)}
     for law in known.laws:
-        mine = {*item.rates} <= {*law.variables} and (item.names | {*item.rates}) & {*law.new}
+        mine = {*item.rates} <= {*law.variables} and named & {*law.new}
         if mine and law.change and all(_deviates(one, law, known) for one in law.change):
             linear = all(degrees(member, known) <= {0, 1} for member in item.members)
             return law if linear else None

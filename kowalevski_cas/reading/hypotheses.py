@@ -184,14 +184,16 @@ def near(item: SourceStatement, known: Known) -> SetOfEquations:
     last = last_place(item, known)
     if not all(is_value(one, known) for one in last):
         return ()
-    moving = [name for law in known.laws for row in law.rows for name in row.rates]
+    orders: dict[str, int] = {}
+    for name, order in (own for law in known.laws for own in law.orders.items()):
+        orders[name] = max(order, orders.get(name, 0))
+    moving = [*orders]
     names = {*known.names.scalars(name for one in last for name in one.bare)} & {*moving}
     words = known.paper.prose.between(item.section.start, item.sentence[1])
     if not last and _ORIGIN.search(item.before):
         names = {*moving}
     elif not last and (_small(item, known) or cue("small", words)):
         names = {*moving} & {*known.names.scalars(item.names | {*item.rates})}
-    orders = {name: n for law in known.laws for row in law.rows for name, n in row.rates.items()}
     zero = [] if last else sorted(names)
     zero += [rate_name(name) for name in sorted(names) if orders[name] > 1]
     if last and names < {*moving}:  # all else is at rest there, too

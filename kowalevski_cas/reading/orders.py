@@ -64,7 +64,8 @@ class Orders(NamedTuple):
 
 def orders_of(item: SourceStatement, near: SetOfEquations, known: Known) -> Orders | None:
     """The orders to which an approximation holds near a place; ``None`` if they are not known."""
-    small = {*known.names.scalars(name for one in near for name in one.names)}
+    scalars = known.names.scalars(name for one in near for name in one.names)
+    small = {*filter(known.moves, scalars)}
     degrees = [_degree(member, small, known) for member in item.members[1:]]
     if None in degrees:
         return None

@@ -84,3 +84,25 @@ def test_what_is_not_known_to_be_linear_there_is_not_green(text):
 def test_a_place_of_rest_is_where_the_words_behind_it_say(word, given, green):
     text = rf"{SPRING}There is an equilibrium at $u=a$ {word} \[ {given} .\]"
     assert verdicts(text)["u=a"].green is green
+
+
+HANGING = r"""The spring pendulum moves by \[ \ddot r=r\dot\varphi^2+g\cos\varphi-\frac km(r-l_0),\]
+\[ r\ddot\varphi=-2\dot r\dot\varphi-g\sin\varphi. \] """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"""At rest $\varphi=0$ and $r=l$, where \[ l=l_0+\frac{mg}k. \]
+        Writing $r=l+\xi$ and retaining only the linear terms in $\xi$ and $\varphi$ we get""",
+        r"""With $r=l+\xi$, $l=l_0+mg/k$, retaining only the linear terms in $\xi$ and $\varphi$,""",
+    ],
+)
+def test_what_is_small_deviates_from_zero(words):
+    text = (
+        HANGING + words + r" \[ \ddot\xi=-\frac km\xi,\qquad\ddot\varphi=-\frac gLENGTH\varphi . \]"
+    )
+    for length in ("l", "{l_0}"):
+        found = verdicts(text.replace("LENGTH", length))
+        assert found[r"\ddot\xi=-\frac km\xi"].green
+        assert found[rf"\ddot\varphi=-\frac g{length}\varphi"].green == (length == "l")
