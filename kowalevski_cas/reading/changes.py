@@ -47,11 +47,13 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
             and not gives_factor(one, law, rated)
             and given_by_old.isdisjoint(one.members[1].names())
         ]
-        values = (one for one in sentence if one not in giving and not _NEAR.search(one.before))
+        renaming = [one for one in sentence if _renames(one, law, seen, rated)]
+        beside = (one for one in sentence if one not in giving and one not in renaming)
+        values = (one for one in beside if not _NEAR.search(one.before))
         other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
         if giving:  # beside these a new letter may stand for a variable as it is
-            giving += [one for one in sentence if _renames(one, law, seen, rated)]
+            giving += renaming
         given = {name for one in giving for name in _names(one, law)}
         new = dict.fromkeys(
             part

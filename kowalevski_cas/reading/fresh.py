@@ -9,7 +9,7 @@ from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.kinetic import has_momentum
-from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, Known
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, LAW, OTHER, Known
 from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.statements import SourceStatement, derived_names, is_numerical
 
@@ -52,7 +52,14 @@ def is_fresh(name: str, item: SourceStatement, known: Known) -> bool:
         or (new and not item.typed.inline)
         or _is_used_before(function, first, item, known)
         or _is_left_open(function, first, item, known)
+        or (known.roles[first].name == OTHER and bool(_CALLED.search(first.words)))
     )
+
+
+_CALLED = re.compile(
+    r"\b(?:is|are|be)\s+(?:called|said\s+to\s+be|termed)\b|\bназыва\w+", re.IGNORECASE
+)
+"""Words that say how whatever satisfies something is called: its letter stands for any of these."""
 
 
 def _is_clear(name: str, one: SourceStatement, known: Known) -> bool:

@@ -152,3 +152,20 @@ def test_what_is_constant_by_itself_and_has_a_known_value_may_be_no_integral_but
     known, new = "x^2+(b-x)(b+x)=a^2", "x^2+(a-x)(a+x)=c"
     assert verdicts(text % known)[known] == Verdict.UNDECIDED
     assert verdicts(text % new)[new] == Verdict.REFUTED
+
+
+def test_a_frame_that_drifts_renames_what_does_not():
+    text = r"""The motion is \[ \ddot x=\omega\dot y,\qquad \ddot y=\varepsilon-\omega\dot x .\] In the drifting
+    frame \[ x=X+ut,\qquad y=Y,\qquad u=\frac\varepsilon\omega, \] we have
+    \[ \ddot X=\omega\dot Y,\qquad \ddot Y=SIGN\omega\dot X .\]"""
+    right, wrong = (verdicts(text.replace("SIGN", sign)) for sign in ("-", ""))
+    assert right[r"\ddot X=\omega\dot Y"].green and right[r"\ddot Y=-\omega\dot X"].green
+    assert not wrong[r"\ddot Y=\omega\dot X"].green
+
+
+def test_a_letter_of_whatever_is_called_so_is_given_later():
+    text = r"""The motion is \[ \dot x=ax,\qquad \dot y=by .\] A function $f$ is called a semi-invariant if
+    $\dot f=\kappa f$. For $f=xy$ we have \[ \dot f=FACTORf .\]"""
+    assert verdicts(text.replace("FACTOR", "(a+b)"))[r"\dot f=(a+b)f"].green
+    found = verdicts(text.replace("FACTOR", "(a-b)")).get(r"\dot f=(a-b)f")
+    assert found is None or not found.green
