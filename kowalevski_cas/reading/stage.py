@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Number,
     PoissonBracket,
     Power,
+    Product,
     Relation,
     Root,
     rank,
@@ -100,6 +101,7 @@ class Stage:
         given = dict.fromkeys((*assumptions, *special))
         about = self._about(given, closure.names)
         closure = self._with_functions(self._with_definitions(closure, about), about)
+        closure = self._without_idle(closure, items)
         roots = self._in_order(
             root
             for item in (*items, *about, *closure.definitions.values(), *(law.rows if law else ()))
@@ -244,6 +246,27 @@ class Stage:
         given = {name: one for one in special for name in self.known.roles[one].names}
         definitions = {**more.definitions, **closure.definitions, **given}
         return _Closure(closure.law, closure.names | more.names, definitions, closure.stated)
+
+    def _without_idle(self, closure: _Closure, items: Sequence[SourceStatement]) -> _Closure:
+        r"""What some statements need, without what gives a constant by letters of its own.
+
+        By the sine of one, as in :math:`\omega=\Omega\sin\lambda`, it may have any value.
+        """
+        rows = closure.law.rows if closure.law else ()
+        statements = {*items, *rows, *closure.definitions.values()}
+        supposed = {n for one in self.known.assumptions for n in self.known.roles[one].names}
+        own: dict[str, frozenset[str]] = {}
+        for name, by in closure.definitions.items():
+            others = {n for one in statements - {by} for n in one.names}
+            letters = by.names - {name}
+            free = letters.isdisjoint(others | supposed) and not self.known.varying(letters)
+            if free and _is_by_sine(by, name):
+                own[name] = letters
+        if not own:
+            return closure
+        kept = {name: by for name, by in closure.definitions.items() if name not in own}
+        names = closure.names.difference(*own.values())
+        return _Closure(closure.law, names, kept, closure.stated)
 
     def _mentioned(self, item: SourceStatement) -> list[str]:
         """The names that a statement needs, functions and brackets among them."""
@@ -481,6 +504,16 @@ class Stage:
     def _is_real(self, formula: Formula) -> bool:
         """Whether an absolute value is a root of a square: of a vector, or where all is real."""
         return rank(formula, self.known.paper.words) == VECTOR or not self.known.units
+
+
+def _is_by_sine(item: SourceStatement, name: str) -> bool:
+    """Whether a name is given by a product of letters, and functions of others as the sine."""
+    match item.members:
+        case (Name(given), Product(factors)) if given == name:
+            functions = [one for one in factors if isinstance(one, Application)]
+            plain = all(isinstance(one, Name | Application) for one in factors)
+            return plain and bool(functions) and len(item.names) == len(factors) + 1
+    return False
 
 
 def shifted(names: Collection[str], moving: Iterable[str]) -> str:
