@@ -174,7 +174,7 @@ def test_a_letter_of_whatever_is_called_so_is_given_later():
 def test_a_constant_that_is_the_sine_of_a_letter_of_its_own_may_be_any():
     text = r"""The motion is \[ \ddot x=2\omega\dot y-kx,\qquad \ddot y=-2\omega\dot x-ky .\] Here
     $\omega=\Omega\sin\lambda$. With \[ x=X\cos\omega t+Y\sin\omega t,\qquad y=-X\sin\omega t+Y\cos\omega t \]
-    we have \[ \ddot X=-(kSIGN\omega^2)X .\] If $\lambda=0$, then $x\dot y-y\dot x$ is an integral."""
+    we have \[ \ddot X=-(kSIGN\omega^2)X,\qquad \ddot Y=-(kSIGN\omega^2)Y .\] If $\lambda=0$, then $x\dot y-y\dot x$ is an integral."""
     right, wrong = (verdicts(text.replace("SIGN", sign)) for sign in "+-")
     found = wrong.get(r"\ddot X=-(k-\omega^2)X")
     assert found is None or not found.green
