@@ -374,8 +374,10 @@ CUES: dict[str, str] = {
         \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*§ \bне\s+(?:при|когда|если)\s*§
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
-        \b(?:region|domain|interval|strip|half-?plane|half-?space|quadrant|where)\s*$
-        (?:област\w+|интервал\w*|полос\w+|полуплоскост\w+|полупространств\w+|где)\s*$""",
+        \b(?:region|domain|interval|strip|half-?(?:plane|space|line|axis)|quadrant|octant|orthant|sector|where)\s*$
+        \b(?:at|in)\s+(?:all|every|each|any)\s+points?\s*$ \beverywhere\s+(?:in|on)\s*$
+        (?:област\w+|интервал\w*|полос\w+|полу(?:плоскост|пространств|прям|ос)\w+|квадрант\w*|октант\w*|сектор\w*|где)\s*$
+        \b(?:всех|каждой|любой)\s+точ(?:ках|ке|ек)\s*$ \bвсюду\s+(?:в|на)\s*$""",
     "condition": r"""
         \b(?:if|when|provided(?:\s+that)?|for)\s*$
         \bin\s+the\s+(?:\w+\s+)?case(?:\s+(?:of|when))?\s*$

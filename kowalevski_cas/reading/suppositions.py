@@ -32,21 +32,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     if item.members:
         return None
     assert isinstance(item.formula, Relation)
-    if not {*item.formula.signs} & {
-        "<",
-        ">",
-        r"\ll",
-        r"\gg",
-        r"\le",
-        r"\ge",
-        r"\leq",
-        r"\geq",
-        r"\ne",
-        r"\neq",
-    }:
-        return StatementRole(OTHER, "no equation")
-    if {*item.formula.signs} & {r"\ll", r"\gg"} and known.varying(item.names):
-        return StatementRole(OTHER, "how small something is where it moves")
+    if why := _is_no_statement(item, known):
+        return StatementRole(OTHER, why)
     conditioned = _IN_CONDITION.fullmatch(item.before) is not None
     if said := _stated_under(item):
         return StatementRole(CLAIM, f"it is said when “{said.strip()}”", "condition")
@@ -58,7 +45,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         deduced = item.derives and "=" in item.formula.signs and not cue("when", item.lead)
         ordered = all(isinstance(one, Name) for one in item.formula.members)
         told = item.typed.inline and ordered and not cue("claim", item.before)
-        told = told or beside or bool(supposing(item)) or conditioned
+        told = told or beside or bool(supposing(item)) or conditioned or _is_looked_at(item)
         supposed = not deduced and (told or _is_of_new(item, known))
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
@@ -78,11 +65,53 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
 
 
+_COMPARING = {"<", ">", r"\ll", r"\gg", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}
+
+
+def _is_no_statement(item: SourceStatement, known: Known) -> str:
+    """Why what compares nothing, or only says of what something is said, states nothing."""
+    assert isinstance(item.formula, Relation)
+    signs = {*item.formula.signs}
+    if not signs & _COMPARING:
+        return "no equation"
+    if signs & {r"\ll", r"\gg"} and known.varying(item.names):
+        return "how small something is where it moves"
+    aside = item.typed.inline and _IN_APPOSITION.search(f"{item.lead}§{item.tail}")
+    return "stands in apposition: it says of which something is said" if aside else ""
+
+
 _IN_CONDITION = re.compile(
     r"\W*(?:if|when|suppose|assume|если|когда|пусть)\b(?:[^,;.:§]|§(?!\s*$))*\b(?:and|и)\s*",
     re.IGNORECASE,
 )
 """What stands before the second condition of a sentence that begins with one."""
+
+
+_IN_APPOSITION = re.compile(
+    r"[^\W\d_]{3,}[\s~]*,[\s~]*§[\s~]*,[\s~]*"
+    r"(?:is|are|was|has|have|does|do|can|cannot|remains?|becomes?|loses?|oscillates?|moves?"
+    r"|(?:не\s+)?(?:явля|име[ею]т|(?:не)?устойчив|остаё?е?тся|будет|движ|колебл)\w*|ist|sind|hat|est|sont)\b"
+    r"|[^\W\d_]{3,}[\s~]*\([\s~]*§[\s~]*\)[\s~]*(?:is|are|has|have|remains?|becomes?|loses?)\b",
+    re.IGNORECASE,
+)
+"""An inequality between a noun and its verb, which are the clause without it."""
+_LOOKED_AT = re.compile(
+    r"\b(?:interested|interests?\s+us|concerned|confin\w+|limit\s+\w+sel\w+|deal|study|look(?=\s+(?:\w+\s+)?at\b)"
+    r"|интересу\w+|рассматрива\w+|ограничи\w+|изуча\w+|betracht\w+|interessier\w+|beschr\w+|int\S+ressons|bornons)\b"
+    r"(?P<at>(?:[\s~]|(?!(?:and|that|is|are|where|и|что|(?:show|prov|find|check|verif|доказ|провер)\w*)\b)\w)*)"
+    r"(?P<colon>:?)[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands what is looked at."""
+_ONLY = re.compile(r"\b(?:only|solely|merely|just|лишь|только|nur|seulement|uniquement)\b", re.I)
+
+
+def _is_looked_at(item: SourceStatement) -> bool:
+    """Whether words look at nothing but what they say, as “we study only positive solutions: §”."""
+    words = joined_lead(item)
+    found = _LOOKED_AT.search(words)
+    only = found and (not found["colon"] or _ONLY.search(words))
+    return bool(only) and not re.search(r"\b(?:not|never|не|nicht|pas)\b", words, re.IGNORECASE)
 
 
 POSITIVE = "positive"

@@ -340,3 +340,44 @@ def test_so_they_are_where_the_law_is_printed_anew(sign, green):
     found = verdicts(text)
     assert all(one.green is green for tex, one in found.items() if "kwt" in tex)
     assert any("kwt" in tex for tex in found)
+
+
+GROWTH = r"It moves by \begin{equation} \dot u=uv,\quad\dot v=-uv. \end{equation} "
+LOOKED_AT = [
+    "We are interested only in positive solutions: $u>0$, $v>0$. ",
+    "We confine ourselves to solutions with $u>0$, $v>0$. ",
+    "Мы рассматриваем лишь положительные решения $u>0$, $v>0$. ",
+]
+
+
+@pytest.mark.parametrize("words", LOOKED_AT)
+@pytest.mark.parametrize(("sign", "verdict"), [("<", Verdict.PROVED), (">", Verdict.REFUTED)])
+def test_what_alone_is_looked_at_is_supposed(words, sign, verdict):
+    claimed = rf"\dot v{sign}0"
+    assert verdicts(f"{GROWTH}{words}Then \\[ {claimed}. \\]") == {claimed: verdict}
+
+
+NOT_CLAIMED = [
+    "The branch on the right, $u>0$, is unstable.",
+    "The branch on the right ($u>0$) is unstable.",
+    "The sum $u+v$ is an integral at every point of the octant $u>0$.",
+    "Сумма $u+v$ постоянна во всех точках $u>0$.",
+]
+CLAIMED = [
+    "We do not study only solutions $u>0$.",
+    "We study the motion: $u>0$ always.",
+    "Studying it we see that $u^2>v$.",
+    "The square is positive, $u^2>0$.",
+]
+
+
+@pytest.mark.parametrize("sentence", NOT_CLAIMED)
+def test_an_inequality_in_apposition_is_neither_claimed_nor_supposed(sentence):
+    (role,) = (r for f, r in roles(GROWTH + sentence).items() if f.startswith("u>"))
+    assert role not in (CLAIM, ASSUMPTION)
+
+
+@pytest.mark.parametrize("sentence", CLAIMED)
+def test_an_inequality_that_a_clause_states_is_claimed(sentence):
+    (role,) = (r for f, r in roles(GROWTH + sentence).items() if ">" in f)
+    assert role == CLAIM
