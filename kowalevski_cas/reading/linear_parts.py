@@ -83,7 +83,8 @@ _SAID = [
         rf"\b{_VALUES}.*\bthose\s+{_AT}[\s~]*{_IS}[\s~]*$",
         rf"\b{_VALUES}.*\b{_AT_ANY}[\s~,]*(?:they|они)\s+{_IS}[\s~]*$",
         rf"\b{_AT}[\s~,]*(?:(?:the|its)\s+)?{_VALUES}[\s~]*{_IS}[\s~]*$",
-        rf"\b{_MATRIX}[\s~]+{_AT}[\s~,]*(?:has|have|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
+        rf"\b{_MATRIX}[\s~]+{_AT}[\s~,]*(?:has|have|gives?|yields?|имеет|да[её]т)\s+(?:the\s+)?(?:{_VALUES}|exponents|показатели)[\s:~]*$",
+        rf"\b{_AT}[\s~,]*(?:we|one)\s+(?:ha(?:ve|s)|gets?|finds?|obtains?)\s+(?:the\s+)?{_VALUES}[\s:~]*$",
         rf"(?P<where>\borigin|§)[\s~,]+(?:is|are)\s+(?:then\s+)?an?\s+(?:\w+\s+){{0,3}}?{_POINT}"
         rf"[\s~,]+with\s+(?:the\s+)?{_VALUES}[\s:~]*$",
         rf"\b(?:(?=origin)|{_NOUN}[\s~]+){_WHERE}[\s~,]+(?:then\s+)?(?:has|имеет)\s+(?:the\s+)?{_VALUES}[\s:~]*$",

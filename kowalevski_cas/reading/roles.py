@@ -78,12 +78,14 @@ from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is
 from kowalevski_cas.reading.suppositions import (
     POSITIVE,
     assumption,
+    in_several_cases,
     inequality,
     is_called_positive,
     of_levels,
     of_place,
     of_some_motions,
     on_place,
+    one_of_several,
     value,
 )
 from kowalevski_cas.reading.tried import tried
@@ -114,7 +116,7 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     """What a statement is: what a comment says, or the first rule that says something."""
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
     if inferred.name == CLAIM and (said := _says_else(item, known)):
-        inferred = StatementRole(OTHER, f"“{said}” says another thing than is judged", "asked")
+        inferred = StatementRole(OTHER, said, "asked")
     prints = is_row(item) and any(map(known.moves, item.rates))
     own = prints or inferred.kind in (*OF_LINEAR_PART, "approximate")
     if inferred.name == CLAIM and not own and (said := of_another_system(item, known)):
@@ -128,10 +130,13 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
 
 
 def _says_else(item: SourceStatement, known: Known) -> str:
-    """The words by which a claim is one of means, or of what is free of the time and has it."""
+    """Why a claim is one of means, of several cases, or of what is free of the time and has it."""
+    if said := in_several_cases(item, known):
+        return f"“{said}” supposes several values of a constant"
     timed = any(known.times & known.below(name) for name in item.names)
     said = cue("in the mean", clause(item)) or cue("in the mean", item.lead)
-    return said or (cue("timeless", item.words) if timed else "")
+    said = said or (cue("timeless", item.words) if timed else "")
+    return said and f"“{said}” says another thing than is judged"
 
 
 def unread(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -399,8 +404,8 @@ RULES: tuple[Rule, ...] = (
     named_set, law, radius, solved, constraint, reaction, together, unit, bracket_of_momenta,
     bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept, unknown, repeated,
     gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
-    solution, constant_of_solution, energy, of_place, on_place, of_levels, definition, square,
-    assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral,
-    identity, other,
+    solution, constant_of_solution, energy, of_place, on_place, of_levels, one_of_several,
+    definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
+    zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -264,6 +264,56 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_VALUES_OF = re.compile(
+    r"\b(?:values|roots|solutions|exponents|multipliers|eigenvalues|frequencies|rates|branches"
+    r"|значени(?:я|ями)|корн(?:и|ями)|показател(?:и|ями)|числ(?:а|ами)|частот(?:ы|ами))\b[^§.;]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which a list of values stands."""
+
+
+def one_of_several(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""One of several values that a list gives a constant, as :math:`\lambda=0,\lambda=\pm a`."""
+    if not _listed_with(item, known):
+        return None
+    return StatementRole(OTHER, "one of several values: none of them is supposed")
+
+
+def _listed_with(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """The list of several values of one constant of which a statement is one; empty of others."""
+    if len(item.members) != 2 or not isinstance(name := item.members[0], Name):
+        return []
+    if known.varies(name.name) or known.is_defined(name.name):
+        return []
+    words = _before_list(item)
+    values = [
+        one
+        for one in known.of_sentence(item.sentence)
+        if one.members[:1] == (name,) and len(one.members) == 2 and _before_list(one) == words
+    ]
+    displays = {one.printed.display.id for one in values}
+    apart = len(displays) > 1 or not item.typed.inline
+    numbers = apart and any(is_number(one.members[1:]) for one in values)
+    several = len({one.members[1] for one in values}) > 1
+    return values if several and (numbers or _VALUES_OF.search(words)) else []
+
+
+def _before_list(item: SourceStatement) -> str:
+    """The words before a list, which may stand before each of it once more."""
+    return _ONCE_MORE.sub("", joined_lead(item)).strip(" ,~").lower()
+
+
+_ONCE_MORE = re.compile(r"^[\s,;~]*(?:and|or|и|или)\s+(?=\w+[\s~]*$)", re.IGNORECASE)
+
+
+def in_several_cases(item: SourceStatement, known: Known) -> str:
+    """The words that suppose several values of a constant, in the sentence of another statement."""
+    beside = known.of_sentence(item.sentence)
+    lists = (_listed_with(one, known) for one in beside if one is not item)
+    words = (f"{_before_list(own[0])} " for own in lists if own and item not in own)
+    return next(filter(None, (cue("suppose", said) for said in words)), "")
+
+
 def _where_it_is(item: SourceStatement, known: Known) -> str:
     """The words that give a place of which the sentence names the coordinate just before."""
     before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]

@@ -47,6 +47,9 @@ def test_at_the_origin(words, verdict):
             [True, True, False],
         ),
         (r"The eigenvalues at $a=1$, $b=0$ are $-1$.", []),
+        (r"Linearization at $e$ gives the exponents $-1$ and $1-k$.", [True, True]),
+        (r"Linearization at $e$ gives the exponents $-1$ and $1+k$.", [True, False]),
+        (r"At $e$ we have the eigenvalues \[\mu=-1,\quad\mu=k-1.\]", [True, False]),
     ],
 )
 def test_at_points_with_names(words, greens):

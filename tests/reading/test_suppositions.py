@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.reading import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.known import NOTATION, OTHER
 from kowalevski_cas.verify.outcome import Verdict
 from tests.sample import sampled
 
@@ -381,3 +382,36 @@ def test_an_inequality_in_apposition_is_neither_claimed_nor_supposed(sentence):
 def test_an_inequality_that_a_clause_states_is_claimed(sentence):
     (role,) = (r for f, r in roles(GROWTH + sentence).items() if ">" in f)
     assert role == CLAIM
+
+
+LISTED = [
+    "The exponents are $s=0$ and $s=a$. ",
+    "The exponents are $s=0$, $s=\\pm a$. ",
+    r"The roots are \[ s=\pm\sqrt a. \] ",
+    "Корни суть $s=0$, $s=1$ и $s=a$. ",
+]
+
+
+@pytest.mark.parametrize("words", LISTED)
+def test_several_values_of_a_letter_suppose_none_of_them(words):
+    found = reading(f"{OSCILLATOR}{words} Then $x^2+y^2+sx$ and $s^2+x$ are integrals.")
+    given = (f for f in found.formulas if "s=" in f.item.printed.tex)
+    assert {f.role.name for f in given} <= {OTHER, NOTATION}
+
+
+CASES = [
+    r"For $\omega=1$ and $\omega=2$ the sum ${}$ is an integral.",
+    r"The sum ${}$ is an integral for $\omega=2$, $\omega=1$.",
+    r"If $\omega=2$ or if $\omega=1$, then ${}$ is an integral.",
+]
+
+
+@pytest.mark.parametrize("words", CASES)
+@pytest.mark.parametrize("function", ["x^2+y^2", "4x^2+y^2"])
+def test_what_is_said_for_several_values_is_not_judged_by_one_of_them(words, function):
+    assert function not in verdicts(OSCILLATOR + words.format(function))
+
+
+def test_two_equations_for_a_letter_are_no_list_of_values():
+    text = OSCILLATOR + r"Let $k=\omega^2$, $k=2\pi/T$. Then $kx^2+y^2$ is an integral."
+    assert verdicts(text)["kx^2+y^2"] is Verdict.PROVED
