@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    PoissonBracket,
     Product,
     Quotient,
     Relation,
@@ -171,6 +172,8 @@ class Definitions:
         members = formula.members if isinstance(formula, Relation) else (formula,)
         own = self.setting.texts.expression(name)
         others = [m for m in members if m != own and not isinstance(m, Constant)]
+        if isinstance(own, PoissonBracket):  # those of a chain have their common value
+            others = [m for m in others if not isinstance(m, PoissonBracket)] or others
         for one in others:
             match one:
                 case Product((Number() as factor, multiple)) if multiple == own:

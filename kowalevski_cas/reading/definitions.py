@@ -17,7 +17,7 @@ from kowalevski_cas.notation import (
     Power,
     Vector,
 )
-from kowalevski_cas.paper.names import head
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.brackets import OF_FUNCTIONS
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.distances import twin
@@ -100,32 +100,45 @@ def bracket(item: SourceStatement, known: Known) -> StatementRole | None:
     """Poisson brackets of variables, before anything is claimed of them."""
     if any(role.kind == OF_FUNCTIONS for role in known.roles.values()):
         return None
-    if item.members[-1:] == (ZERO,) and len(item.members) > 2 and _are_of_letters(item, known):
+    brackets = item.members[:-1]
+    if not brackets or not all(_is_of_letters(one, known) for one in brackets):
+        return None
+    if item.members[-1] == ZERO and len(brackets) > 1:
         return StatementRole(DEFINITION, "brackets of variables that vanish")
-    if len(item.members) == 2 and isinstance(left := item.members[0], PoissonBracket):
-        inner = left.children()
-        names = [one.name for one in inner if isinstance(one, Name)]
-        letters = all(_is_coordinate(name, known) for name in names)
-        if len(names) == 2 and letters and not any(_is_given(name, known) for name in names):
-            heads = item.printed.heads.names
-            if heads and heads[0] not in known.definitions:
-                return StatementRole(
-                    DEFINITION, "first with this bracket of variables", "", heads[:1]
-                )
-    return None
+    heads = item.printed.heads.names
+    if len(heads) < len(brackets) or any(name in known.definitions for name in heads):
+        return None
+    why = f"first with {'these brackets' if len(brackets) > 1 else 'this bracket'} of variables"
+    return StatementRole(DEFINITION, why, "", heads[: len(brackets)])
 
 
-def _are_of_letters(item: SourceStatement, known: Known) -> bool:
-    """Whether all members but the last are brackets of coordinates that nothing defines."""
-    brackets = all(isinstance(member, PoissonBracket) for member in item.members[:-1])
-    return brackets and all(
-        _is_coordinate(n, known) and not _is_given(n, known) for n in item.names
-    )
+def _is_of_letters(bracket: Formula, known: Known) -> bool:
+    """Whether a formula is the bracket of two coordinates that nothing defines.
+
+    One of a coordinate and its momentum says that both are coordinates.
+    """
+    match bracket:
+        case PoissonBracket(Name(x), Name(y)):
+            momentum = known.moves(x) and y in (f"p_{x}", f"p_{{{x}}}") and not known.is_defined(y)
+            return momentum or all(
+                _is_coordinate(n, known) and not _is_given(n, known) for n in (x, y)
+            )
+    return False
 
 
 def _is_given(name: str, known: Known) -> bool:
-    """Whether a name has a meaning, and not only that of another link of a closed chain."""
-    return known.is_defined(name) and not any(map(is_closing, known.definitions.get(name, ())))
+    """Whether a name has a meaning, and not only that of another link of a closed chain.
+
+    What moves by the equations before it has none by new variables, if no brackets are printed of
+    these.
+    """
+    given = known.definitions.get(name, ())
+    rows = [row.order for law in known.laws for row in law.rows if name in row.rates]
+    changed = given and rows and all(one.order > rows[0] for one in given)
+    others = {other for one in given for other in one.names - {name}}
+    brackets = (head(one)[1] for one in known.definitions if one.startswith(BRACKET))
+    changed = changed and others.isdisjoint(other for own in brackets for other in own)
+    return known.is_defined(name) and not (changed or any(map(is_closing, given)))
 
 
 def _is_coordinate(name: str, known: Known) -> bool:

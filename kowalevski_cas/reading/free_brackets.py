@@ -37,11 +37,14 @@ def _coordinates(paper: SourcePaper, names: Names) -> Iterator[str]:
     """The names in brackets on a left side that nothing gives, for all values of their indices."""
     given = {one.bare[0] for one in paper.items if one.bare and one.members[0] == Name(one.bare[0])}
     for item in paper.items:
-        match item.members[:1]:
-            case (PoissonBracket(Name(x), Name(y)),):
-                found = [*_components(x, names), *_components(y, names)]
-                if given.isdisjoint({*found, *map(names.whole, found)}):
-                    yield from found
+        for one in item.members[:-1]:
+            match one:
+                case PoissonBracket(Name(x), Name(y)):
+                    found = [*_components(x, names), *_components(y, names)]
+                    if given.isdisjoint({*found, *map(names.whole, found)}):
+                        yield from found
+                case _:
+                    break
 
 
 def _components(name: str, names: Names) -> tuple[str, ...]:

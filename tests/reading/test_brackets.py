@@ -140,3 +140,60 @@ def test_a_factor_may_stand_before_the_bracket_of_each_pair(bracket, claim, gree
     \[H=a(u_1-u_2)^2+a(v_1-v_2)^2.\] Let $Q=m_1u_1+m_2u_2$ and $P=m_1v_1+m_2v_2$. """
     text += rf"With the bracket $\{{f,g\}}={bracket}$ one calculates \[{claim} .\]"
     assert [one.green for one in verdicts(text).values()] == [green]
+
+
+CANONICAL = OSCILLATOR + r"Here $\{u,a\}=\{v,b\}=K$. "
+
+
+@pytest.mark.parametrize(
+    ("value", "claim", "green"),
+    [
+        ("1", r"\{u,H\}=a", True),
+        ("1", r"\{v,H\}=b", True),
+        ("1", r"\{L,u\}=v", True),
+        ("1", r"\{v,H\}=a", False),
+        ("1", r"\{L,H\}=1", False),
+        ("2", r"\{v,H\}=2b", True),
+        ("2", r"\{v,H\}=b", False),
+    ],
+)
+def test_a_chain_of_brackets_of_variables_gives_each_of_them(value, claim, green):
+    text = CANONICAL.replace("K", value) + rf"Hence \[{claim} .\]"
+    assert [one.green for one in verdicts(text).values()] == [green]
+
+
+FREE = r"With $\{u,p_u\}=\{v,p_v\}=1$ let $X=p_u+su$ and $Y=p_v$. "
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [(r"\{v,Y\}=1", True), (r"\{X,u\}=-1", True), (r"\{X,u\}=1", False), (r"\{X,Y\}=s", False)],
+)
+def test_a_chain_of_brackets_tells_of_what_they_are(claim, green):
+    assert [one.green for one in verdicts(FREE + rf"Hence \[{claim} .\]").values()] == [green]
+
+
+GROWTH = r"""Consider \[\dot u=uv,\qquad\dot v=v(w-u),\qquad\dot w=-vw .\]
+With $u=a^2$, $v=b^2$, $w=c^2$ this becomes \[\dot a=\tfrac12ab^2 .\] Let $H=u+v+w$. """
+
+
+@pytest.mark.parametrize(
+    ("factor", "claim", "green"),
+    [
+        ("", r"\dot v=\{v,H\}", True),
+        ("", r"\dot v=\{H,v\}", False),
+        ("2", r"\dot v=\{v,H\}", False),
+    ],
+)
+def test_a_bracket_behind_its_use_is_one_of_what_moves_in_new_variables_too(factor, claim, green):
+    bracket = rf"\[\{{u,v\}}=uv,\qquad\{{v,w\}}={factor}vw,\qquad\{{w,u\}}=0 .\]"
+    text = GROWTH + rf"The equations are Hamiltonian, ${claim}$, with respect to {bracket}"
+    assert verdicts(text)[claim].green is green
+
+
+@pytest.mark.parametrize(("claim", "green"), [(r"\{u,v\}=uv", True), (r"\{u,v\}=2uv", False)])
+def test_a_bracket_of_what_is_given_by_others_with_brackets_is_claimed(claim, green):
+    text = (
+        GROWTH + r"A bracket is \[ \{a,b\}=\tfrac14ab,\quad\{b,c\}=\tfrac14bc,\quad\{c,a\}=0 . \] "
+    )
+    assert verdicts(text + rf"Then \[ {claim} . \]")[claim].green is green
