@@ -101,7 +101,10 @@ class _Dimensions:
     def __init__(self, known: Known, items: Sequence[SourceStatement]) -> None:
         self.known = known
         marks = {mark for one in known.items for mark in one.marks}
-        self.primed = "prime" if marks - {"prime"} else TIME  # not the time, where that has dots
+        waves = (one for one, role in known.roles.items() if role.name == DEFINITION)
+        # not the time, where that has dots, or a travelling variable is given by it
+        other = marks - {"prime"} or any(TIME in one.names and not one.derives for one in waves)
+        self.primed = "prime" if other else TIME
         self.formulas = {
             one: tree for one in known.items if (tree := _said(one, known)) is not None
         }

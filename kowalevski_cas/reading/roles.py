@@ -46,6 +46,7 @@ from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.other_numbers import other_number
+from kowalevski_cas.reading.partial_equations import partial_equation
 from kowalevski_cas.reading.phrases import (
     DENIES_ALL,
     VERB,
@@ -401,8 +402,9 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
-    named_set, law, radius, solved, constraint, reaction, together, unit, bracket_of_momenta,
-    bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept, unknown, repeated,
+    named_set, law, partial_equation, radius, solved, constraint, reaction, together, unit,
+    bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept,
+    unknown, repeated,
     gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
     solution, constant_of_solution, energy, of_place, on_place, of_levels, one_of_several,
     definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
