@@ -450,6 +450,9 @@ _THEY_SOLVE = re.compile(
     r"|\b(?:находят?ся|определя\w+)(?:\s+из)?(?:\s+(?:услови\w+|уравнени\w+|систем\w+))?[\s:~]*$"
     r"|(?:явля\w+|суть|[-—–])\s*(?:точк\w+|решени\w+|корн\w+|нул\w+)"
     r"(?:,?\s+в\s+которых|\s+(?:уравнени|систем)\w+)?[\s:~]*$"
+    r"|,\s*(?:namely|that\s+is|i\.\s*e\.|а\s+именно|то\s+есть)[\s,]*(?:the\s+)?"
+    r"(?:roots?|zeros?|solutions?|корн\w+|нул\w+|решени\w+)\s+(?:of|(?:the\s+)?equations?|уравнени\w+)"
+    r"(?:\s+(?:the\s+)?equations?)?[\s:~]*$"
 )
 """How words end before the equations that something satisfies."""
 _EQUATIONS_BEFORE = re.compile(r"(?:§|[\s,]|\b(?:and|и)\b)*$")

@@ -70,7 +70,7 @@ from kowalevski_cas.reading.propositions import (
     zero_set,
 )
 from kowalevski_cas.reading.rest_points import rest_point
-from kowalevski_cas.reading.roots_in_words import roots_in_words
+from kowalevski_cas.reading.roots_in_words import of_roots_spoken_of, roots_in_words
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, small_oscillation
 from kowalevski_cas.reading.solutions import constant_of_solution
@@ -406,8 +406,8 @@ RULES: tuple[Rule, ...] = (
     bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept,
     unknown, repeated,
     gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
-    solution, constant_of_solution, energy, of_place, on_place, of_levels, one_of_several,
-    definition, square, assumption, value, approximate, set_of_rates, of_some_motions, rate,
-    zero_set, level, integral, identity, other,
+    of_roots_spoken_of, solution, constant_of_solution, energy, of_place, on_place, of_levels,
+    one_of_several, definition, square, assumption, value, approximate, set_of_rates,
+    of_some_motions, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

@@ -11,7 +11,8 @@ from itertools import combinations
 from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero, precisely
 from kowalevski_cas.notation import Formula, Name, Number, Partial, times, to_latex
 from kowalevski_cas.paper.claims.forms import minus
-from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, UNKNOWNS, Known, StatementRole
+from kowalevski_cas.reading.phrases import plain
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import variable_of
 from kowalevski_cas.reading.unprinted import unprinted
@@ -25,6 +26,35 @@ _ARE_ROOTS = re.compile(
     re.IGNORECASE,
 )
 """How words end behind which the equation is printed of which they name roots."""
+
+
+_SPOKEN_OF = re.compile(
+    r"(?P<letter>§[\s~]*(?:is|denotes|being|есть|[-—–]+)\s+)?(?:(?:the|an?|its|their|one|то\s+есть)\s+)*(?:[\w-]+\s+){0,2}?"
+    r"\b(?:roots?|zeros?|корн\w+|корень|нул\w+)\s+(?:(?:of|for)\b(?:\s+(?:the|this|an?|\w+))?"
+    r"(?:\s+(?:equation|polynomial|function))?|(?:уравнени|многочлен|функци)\w+)[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands an equation of which they speak of roots."""
+
+
+def of_roots_spoken_of(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation of which words speak of roots: nothing says that it holds for what moves.
+
+    For a new letter that words call a root it is supposed.
+    """
+    found = _SPOKEN_OF.search(item.before)
+    if len(item.members) != 2 or item.derives or found is None:
+        return None
+    before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
+    named = before[-1].formula if found["letter"] and before else None
+    if isinstance(named, Name) and named.name in item.names and not known.varying(item.names):
+        new = known.untied([named.name]) and not known.is_defined(named.name)
+        if new and variable_of(item, known) in ("", named.name):
+            why = f"the words call {plain(named.name)} a root of it"
+            return StatementRole(ASSUMPTION, why, UNKNOWNS, (named.name,))
+    if _roots(item, known):
+        return None  # they are named, and are not those of this equation
+    return StatementRole(OTHER, "words speak of its roots: it is not said to hold always")
 
 
 def roots_in_words(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -2,7 +2,9 @@
 
 import pytest
 
-from tests.reading.test_reading import verdicts
+from kowalevski_cas.reading import ASSUMPTION, CLAIM
+from kowalevski_cas.reading.known import OTHER
+from tests.reading.test_reading import roles, verdicts
 
 MOTION = r"The motion is $$\dot x=y,\qquad\dot y=-x.$$ Put $s=x+y$, $p=xy$. "
 MAP = r"""Consider the map $$x'=y,\qquad y'=-x+\frac{2ay}{1+y^2}.$$ Put
@@ -49,3 +51,44 @@ def test_roots_that_are_the_same_are_not_two():
     law = r"The motion is \[ \dot p=q,\qquad \dot q=-p. \] "
     found = verdicts(law + r"The numbers $p$ and $p$ are the roots of \[ (s-p)(s-q)=0 .\]")
     assert not any(one.green for one in found.values())
+
+
+WELL = r"The motion is \[ \ddot q=aq-3q^2+b. \] "
+
+
+@pytest.mark.parametrize(
+    ("words", "role"),
+    [
+        ("The turning points, that is, the roots of $q^3-bq=0$, matter.", OTHER),
+        ("We look for the zeros of the function $q^3-bq=0$.", OTHER),
+        ("Here $q$ is a root of $q^3-bq=0$.", OTHER),
+        ("Здесь $q$ есть корень уравнения $q^3-bq=0$.", OTHER),
+        ("Let $k=6c$, where $c$ is the root of $c^3-bc=0$.", ASSUMPTION),
+        ("The roots of the polynomial are real, hence $q^3-bq=0$.", CLAIM),
+        ("It has no roots, so $q^3-bq=0$.", CLAIM),
+    ],
+)
+def test_an_equation_of_which_roots_are_spoken_of_is_not_said_to_hold(words, role):
+    (found,) = (one for tex, one in roles(WELL + words).items() if "^3-b" in tex)
+    assert found == role
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"There are two equilibria, namely the roots of \[ {}. \]",
+        "There are two equilibria, i.e. the roots of the equation ${}$.",
+        "Есть два положения равновесия, а именно корни уравнения ${}$.",
+    ],
+)
+@pytest.mark.parametrize(
+    ("equation", "green"), [("3q^2-aq-b=0", True), ("3q^2-aq+b=0", False), ("q^2-aq-b=0", False)]
+)
+def test_points_of_rest_may_be_the_roots(words, equation, green):
+    assert verdicts(WELL + words.format(equation))[equation].green is green
+
+
+@pytest.mark.parametrize(("equation", "green"), [("3c^2=ac+b", True), ("3c^2=ac", False)])
+def test_a_new_letter_that_is_a_root_satisfies_its_equation(equation, green):
+    text = rf"{WELL}Let $k=6c$, where $c$ is a root of $3c^2-ac-b=0$. Then ${equation}$."
+    assert verdicts(text)[equation].green is green
