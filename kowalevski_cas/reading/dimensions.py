@@ -182,6 +182,9 @@ class _Dimensions:
         found = [
             one for one in atoms if one in with_it and one not in alike and not one.keys() <= new
         ]
+        beside = _beside_numbers(item)  # as an angle and its deviation from π
+        if any({name: 1} in others for name in beside):
+            found = [atom for atom in found if not atom.keys() <= beside | {TIME}]
         return sorted(found, key=lambda atom: own.isdisjoint(atom))
 
     def _with_alike(self, names: Collection[str], others: Span) -> Span:
@@ -258,6 +261,16 @@ class _Dimensions:
                 best = sorted(found, key=lambda edited: found[edited][0])[:MOST]
                 return tuple((found[edited][1], edited) for edited in best)
         return ()
+
+
+def _beside_numbers(item: SourceStatement) -> set[str]:
+    """The letters that an equation adds to a number, and to which it makes that equal."""
+    found = {*item.bare}
+    for one in item.members:
+        if isinstance(one, Sum) and any(map(is_numerical, one.terms)):
+            bare = (t.argument if isinstance(t, Negative) else t for t in one.terms)
+            found |= {term.name for term in bare if isinstance(term, Name)}
+    return found if len(found) > len(item.bare) else set()
 
 
 def _said(one: SourceStatement, known: Known) -> Formula | None:

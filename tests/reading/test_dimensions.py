@@ -113,3 +113,18 @@ def test_where_the_time_has_no_dimension_a_law_has_units_of_its_own():
     assert not found(
         rf"Consider ${law}$. The exponents obey \[ m^3+(s+b+1)m^2+b(r+s)m+2sb(r-1)=0 .\]"
     )
+
+
+HOOP = r"""A bead on a turning hoop moves by
+\[ \ddot\theta=\sin\theta\,(\Omega^2\cos\theta-\nu^2) . \] An integral is
+\[ \frac12\dot\theta^2-\frac12\Omega^2\sin^2\theta-\nu^2\cos\theta=h . \]
+Near the lower point \[ \ddot\theta+(\nu^2-\Omega^2)\theta=0 . \] Near the upper one we put $\theta=%s$:
+\[ \ddot\eta=(\nu^2+\Omega^2)\eta . \] Let $\theta=\theta_0+\xi$, where $\cos\theta_0=\nu^2/\Omega^2$. Then
+\[ \ddot\xi=-\frac{\Omega^4-\nu^%s}{\Omega^2}\xi , \] with the period
+\[ \tau=\frac{2\pi\Omega}{\sqrt{\Omega^4-\nu^4}} . \]"""
+
+
+@pytest.mark.parametrize("shift", [r"\pi+\eta", r"\pi-\eta"])
+def test_a_deviation_from_an_angle_is_not_doubted_for_what_else_is_wrong(shift):
+    assert [r"\xi" in one.item.typed.tex for one in found(HOOP % (shift, 2))] == [True]
+    assert not found(HOOP % (shift, 4))
