@@ -373,15 +373,20 @@ class Known:
 
     def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""
-        found: dict[tuple[int, int], list[SourceStatement]] = {}
+        found: dict[tuple[int, int, int], list[SourceStatement]] = {}
         here = self.supposed(item)
         for one in self.assumptions:
-            kind = self.roles[one].kind
-            brief = kind in ("", "of the sentence") or kind.startswith(FUNCTION)
+            role = self.roles[one]
+            brief = role.kind in ("", "of the sentence") or role.kind.startswith(FUNCTION)
             brief = brief or self._is_told_apart(one)
             near = one.order < item.order or one.sentence == item.sentence
             if near and one not in here and brief:
-                found.setdefault(one.sentence, []).append(one)
+                case = 0  # of a list of values each is another one
+                while any(
+                    self.roles[o].names == role.names for o in found.get((*one.sentence, case), ())
+                ):
+                    case += 1
+                found.setdefault((*one.sentence, case), []).append(one)
         return [*found.values()]
 
     def sets(self, item: SourceStatement) -> list[SourceStatement]:

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.samples import Sample, Valueless, is_zero, precisely
 from kowalevski_cas.notation import Formula, Name, Number, Partial, times, to_latex
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, UNKNOWNS, Known, StatementRole
-from kowalevski_cas.reading.phrases import plain
+from kowalevski_cas.reading.phrases import plain, reach_of_constants
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import variable_of
 from kowalevski_cas.reading.unprinted import unprinted
@@ -47,14 +47,17 @@ def of_roots_spoken_of(item: SourceStatement, known: Known) -> StatementRole | N
         return None
     before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
     named = before[-1].formula if found["letter"] and before else None
-    if isinstance(named, Name) and named.name in item.names and not known.varying(item.names):
-        new = known.untied([named.name]) and not known.is_defined(named.name)
-        if new and variable_of(item, known) in ("", named.name):
-            why = f"the words call {plain(named.name)} a root of it"
+    varying = known.varying(item.names)
+    if isinstance(named, Name) and named.name in item.names and not varying:
+        why = f"the words call {plain(named.name)} a root of it"
+        if not known.untied([named.name]):
+            return StatementRole(ASSUMPTION, why, reach_of_constants(item), (named.name,))
+        if not known.is_defined(named.name) and variable_of(item, known) in ("", named.name):
             return StatementRole(ASSUMPTION, why, UNKNOWNS, (named.name,))
     if _roots(item, known):
         return None  # they are named, and are not those of this equation
-    return StatementRole(OTHER, "words speak of its roots: it is not said to hold always")
+    why = "words speak of its roots: it is not said to hold always"
+    return StatementRole(ASSUMPTION, why, "set") if varying else StatementRole(OTHER, why)
 
 
 def roots_in_words(item: SourceStatement, known: Known) -> StatementRole | None:

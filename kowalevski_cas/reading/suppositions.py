@@ -50,6 +50,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     else:
         words = item.lead[-30:] if item.typed.inline else item.before
         claimed = last_cue("claim", words) > last_cue("suppose", words)
+        claimed = claimed and not _is_in_apposition(item)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
         claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
         if not claimed and _is_concluded(item):
@@ -76,8 +77,12 @@ def _is_no_statement(item: SourceStatement, known: Known) -> str:
         return "no equation"
     if signs & {r"\ll", r"\gg"} and known.varying(item.names):
         return "how small something is where it moves"
-    aside = item.typed.inline and _IN_APPOSITION.search(f"{item.lead}§{item.tail}")
+    aside = known.varying(item.names) and _is_in_apposition(item)
     return "stands in apposition: it says of which something is said" if aside else ""
+
+
+def _is_in_apposition(item: SourceStatement) -> bool:
+    return item.typed.inline and bool(_IN_APPOSITION.search(f"{item.lead}§{item.tail}"))
 
 
 _IN_CONDITION = re.compile(
@@ -184,7 +189,7 @@ def _is_concluded(item: SourceStatement) -> bool:
 
     So does a sentence that begins with “therefore”, if it supposes nothing.
     """
-    if not item.typed.inline or cue("suppose", f"{item.lead} "):
+    if not item.typed.inline or cue("suppose", f"{item.lead} ") or _is_in_apposition(item):
         return False
     if item.lead == item.before and cue("deduced", item.lead[:14]):
         return True
@@ -273,14 +278,22 @@ _VALUES_OF = re.compile(
 
 
 def one_of_several(item: SourceStatement, known: Known) -> StatementRole | None:
-    r"""One of several values that a list gives a constant, as :math:`\lambda=0,\lambda=\pm a`."""
+    r"""One of several values that a list gives a constant, as :math:`\lambda=0,\lambda=\pm a`.
+
+    One of a law has each of them in some case.
+    """
     if not _listed_with(item, known):
         return None
-    return StatementRole(OTHER, "one of several values: none of them is supposed")
+    if known.untied(item.bare[:1]):
+        return StatementRole(OTHER, "one of several values: none of them is supposed")
+    return StatementRole(ASSUMPTION, "one of several values", "of the sentence", item.bare[:1])
 
 
 def _listed_with(item: SourceStatement, known: Known) -> list[SourceStatement]:
-    """The list of several values of one constant of which a statement is one; empty of others."""
+    """The list of several values of one constant of which a statement is one; empty of others.
+
+    The two signs of one value are several where words speak of values, and no law has the letter.
+    """
     if len(item.members) != 2 or not isinstance(name := item.members[0], Name):
         return []
     if known.varies(name.name) or known.is_defined(name.name):
@@ -291,11 +304,11 @@ def _listed_with(item: SourceStatement, known: Known) -> list[SourceStatement]:
         for one in known.of_sentence(item.sentence)
         if one.members[:1] == (name,) and len(one.members) == 2 and _before_list(one) == words
     ]
-    displays = {one.printed.display.id for one in values}
-    apart = len(displays) > 1 or not item.typed.inline
-    numbers = apart and any(is_number(one.members[1:]) for one in values)
     several = len({one.members[1] for one in values}) > 1
-    return values if several and (numbers or _VALUES_OF.search(words)) else []
+    apart = len({one.span for one in values}) > 1
+    numbers = apart and any(is_number(one.members[1:]) for one in values)
+    told = _VALUES_OF.search(words) and (apart or known.untied([name.name]))
+    return values if several and (numbers or told) else []
 
 
 def _before_list(item: SourceStatement) -> str:
@@ -307,11 +320,19 @@ _ONCE_MORE = re.compile(r"^[\s,;~]*(?:and|or|и|или)\s+(?=\w+[\s~]*$)", re.IG
 
 
 def in_several_cases(item: SourceStatement, known: Known) -> str:
-    """The words that suppose several values of a constant, in the sentence of another statement."""
-    beside = known.of_sentence(item.sentence)
-    lists = (_listed_with(one, known) for one in beside if one is not item)
-    words = (f"{_before_list(own[0])} " for own in lists if own and item not in own)
-    return next(filter(None, (cue("suppose", said) for said in words)), "")
+    """The words before several values of a constant, in the sentence of another statement.
+
+    They suppose these, or a law has the constant.
+    """
+    for one in known.of_sentence(item.sentence):
+        own = _listed_with(one, known) if one is not item else []
+        if own and item not in own:
+            words = f"{_before_list(one)} "
+            if said := cue("suppose", words):
+                return said
+            if not known.untied(one.bare[:1]):
+                return words.strip()
+    return ""
 
 
 def _where_it_is(item: SourceStatement, known: Known) -> str:

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.reading import ASSUMPTION, CLAIM
 from kowalevski_cas.reading.known import OTHER
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import roles, verdicts
 
 MOTION = r"The motion is $$\dot x=y,\qquad\dot y=-x.$$ Put $s=x+y$, $p=xy$. "
@@ -59,10 +60,11 @@ WELL = r"The motion is \[ \ddot q=aq-3q^2+b. \] "
 @pytest.mark.parametrize(
     ("words", "role"),
     [
-        ("The turning points, that is, the roots of $q^3-bq=0$, matter.", OTHER),
-        ("We look for the zeros of the function $q^3-bq=0$.", OTHER),
-        ("Here $q$ is a root of $q^3-bq=0$.", OTHER),
-        ("Здесь $q$ есть корень уравнения $q^3-bq=0$.", OTHER),
+        ("The turning points, that is, the roots of $q^3-bq=0$, matter.", ASSUMPTION),
+        ("We look for the zeros of the function $q^3-bq=0$.", ASSUMPTION),
+        ("Here $q$ is a root of $q^3-bq=0$.", ASSUMPTION),
+        ("Здесь $q$ есть корень уравнения $q^3-bq=0$.", ASSUMPTION),
+        ("The roots of the equation $c^3-bc=0$ are real.", OTHER),
         ("Let $k=6c$, where $c$ is the root of $c^3-bc=0$.", ASSUMPTION),
         ("The roots of the polynomial are real, hence $q^3-bq=0$.", CLAIM),
         ("It has no roots, so $q^3-bq=0$.", CLAIM),
@@ -92,3 +94,11 @@ def test_points_of_rest_may_be_the_roots(words, equation, green):
 def test_a_new_letter_that_is_a_root_satisfies_its_equation(equation, green):
     text = rf"{WELL}Let $k=6c$, where $c$ is a root of $3c^2-ac-b=0$. Then ${equation}$."
     assert verdicts(text)[equation].green is green
+
+
+@pytest.mark.parametrize(
+    ("function", "verdict"), [("4x^2+y^2", Verdict.PROVED), ("9x^2+y^2", Verdict.REFUTED)]
+)
+def test_a_constant_of_the_law_may_be_a_root(function, verdict):
+    law = r"It moves by \[ \dot x=y,\quad\dot y=-kx. \] Here $k$ is a root of $k-4=0$. "
+    assert verdicts(law + f"The sum ${function}$ is an integral.")[function] is verdict

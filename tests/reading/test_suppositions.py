@@ -415,3 +415,19 @@ def test_what_is_said_for_several_values_is_not_judged_by_one_of_them(words, fun
 def test_two_equations_for_a_letter_are_no_list_of_values():
     text = OSCILLATOR + r"Let $k=\omega^2$, $k=2\pi/T$. Then $kx^2+y^2$ is an integral."
     assert verdicts(text)["kx^2+y^2"] is Verdict.PROVED
+
+
+def test_values_of_a_constant_of_the_law_are_supposed_nowhere_else():
+    text = (
+        OSCILLATOR + r"The frequencies are $\omega=1$ and $\omega=2$. The sum ${}$ is an integral."
+    )
+    for function in ("x^2+y^2", "4x^2+y^2"):
+        assert verdicts(text.replace("{}", function))[function] is Verdict.UNDECIDED
+    signs = OSCILLATOR + r"The frequencies are $\omega=\pm2$. The sum $4x^2+y^2$ is an integral."
+    assert verdicts(signs)["4x^2+y^2"] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(("claim", "green"), [("ge", True), ("le", False)])
+def test_an_apposition_supposes_what_it_says_of_constants(claim, green):
+    words = r"Hence a stiff spring, $\omega>1$, is stable. Then \[ \omega^2x^2\%s x^2. \]"
+    assert verdicts(OSCILLATOR + words % claim)[rf"\omega^2x^2\{claim} x^2"].green is green
