@@ -230,7 +230,8 @@ CUES: dict[str, str] = {
         §[\s,]*(?:\w+\s+){{0,3}}(?:is|are)\s+(?:not|impossible)\b \bno\s+longer\b
         never\b(?!\s+(?:in|de)creas|\s+grow)
         \b(?:on|along|for|by)\s+no\b wrong\w* incorrect\w* erroneous\w* false\b
-        mistak\w+ misprint\w* (?<!on\sthe\s)contrary impossible\s+that\b невозможно
+        mistak\w+ misprint\w* \b(?:error|fallacy)\s+(?:is|was|lies?|lay|consist\w*)\s+(?:in|that)\b
+        (?<!on\sthe\s)contrary impossible\s+that\b невозможно
         instead\s+of\s*(?:§|$) contradict\w+ if\s+it\s+were \bwere\b
         would\s+(?:be|have|follow|give|mean) fails?\b cannot\b
         \b(?:no|without)\s+(?:\w+\s+){{0,2}}integrals?(?:\s+\w+){{0,3}}\s*§ refut\w+
@@ -268,7 +269,15 @@ CUES: dict[str, str] = {
         \b(?:authors|textbooks|people|papers)\s+(?:\w+\s+)?(?:write|state|say|print|give|use)\b
         \bclaims?\s+that \bclaimed\b \basserted?\b \bwrites\b \bconjectur\w+
         \bwas\s+(?:printed|asserted|believed)\b было\s+(?:написано|сказано)
-        (?:one|we)\s+(?:might|may|could)\s+(?:think|expect|hope|guess|suspect|believe) tempting
+        (?:one|we|you|readers?)\s+(?:might|may|could|would)\s+(?:\w+\s+)?(?:think|expect|hope|guess|suspect|believe)
+        tempting \bimagine\b(?:\s+for\s+a\s+(?:moment|while))?,?\s+that\b
+        \bit\s+(?:seem(?:s|ed)|(?:may|might|would|could)\s+(?:seem|appear))\s+(?:(?:at\s+first|now)\s+)?(?:that|as)\b
+        (?:^\W*|[,;:]\s*)at\s+(?:a\s+)?first\s+(?:sight|glance),?\s+(?:(?!that\b)\w+\s+){0,3}§
+        \b(?:guess|expectation|hope|impression|temptation|suspicion)\s+(?:\w+\s+)?(?:is|was|(?:would|might|may)\s+be)\s+that\b
+        \b(?:nobody|no\s+one)\s+(?:has\s+|had\s+)?(?:(?:ever|yet)\s+)?(?:shown|proved|proven|verified|checked|demonstrated)\b
+        \bникто\s+(?:\w+\s+)?не\s+(?:показал|доказал|проверил) \bможет\s+показаться
+        \b(?:кажется|вообразим|представим\s+себе),?\s+что\b
+        (?:^\W*|[,;:]\s*)на\s+первый\s+взгляд,?\s+(?:(?!что\b)\w+\s+){0,3}§
         можно\s+(?:было\s+бы\s+)?(?:подумать|ожидать|надеяться) казалось\s+бы \bbelieve[sd]?\b
         it\s+is\s+said утвержда\w+ по\s+мнению
         предположительно гипотез\w+""",
@@ -387,6 +396,7 @@ CUES: dict[str, str] = {
         \bonly\s+(?:if|when|for|in\s+the\s+case)\b \biff\b
         \bonly\s+(?:an?\s+integral|constant|conserved|preserved|valid|true)\b
         \b(?:integrals?|constant|conserved|preserved|invariant|holds?|valid|true)\s+only\b
+        \b(?:if|when|whenever|provided(?:\s+that)?)\s+(?:its|the)\s+(?:\w+\s+){0,2}(?:derivative|rate|bracket)s?\b[^.;§]*\b(?:vanish\w*|zero)
         ^\W*only\s+(?:on|along|at|in|during|near|by|rarely|seldom|sometimes|exceptionally)\b
         \bfor\s+(?:\w+\s+){0,3}(?:motions|solutions|orbits|trajectories|conditions|data|values)\s+(?:only|alone)\b
         \b(?:few|hardly\s+any|almost\s+no)\s+(?:\w+\s+)?(?:motions?|solutions?|orbits?|trajector\w+|initial)\b

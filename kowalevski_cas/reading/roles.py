@@ -297,9 +297,9 @@ _ASKS = re.compile(
 _CONTRARY = re.compile(
     r"\b(?:assum|suppos)\w*,?\s+(?:(?:on|to|for)\s+)?(?:(?:the\s+)?(?:contrary|opposite|converse)|otherwise)\b"
     r"|\b(?:assum|suppos)\w*\s[^.;§]*\b(?:is|were|was)\s+(?:false|wrong|untrue|not\s+true)\b|\bargu\w+\s+indirectly\b|\breductio\b"
-    r"|\b(?:пусть|допустим|предположим),?\s+(?:напротив|обратное)|\bAngenommen\b[^.;§]*\b(?:anders|Gegenteil|falsch)\b"
+    r"|\b(?:пусть|допустим|предположим),?\s+(?:напротив|обратное|противное)|\bAngenommen\b[^.;§]*\b(?:anders|Gegenteil|falsch)\b"
     r"|\bsupposons\s+le\s+contraire|\bpar\s+l['’]absurde|\b(?:by|for|to\s+(?:get|obtain|reach))\s+(?:an?\s+)?contradiction"
-    r"|\bпредположим\s+противное|\bот\s+противного",
+    r"|\bот\s+противного",
     re.IGNORECASE,
 )
 """Words that suppose what is to be denied."""

@@ -118,6 +118,8 @@ _SIGNED_RU = (
 )
 _TURNED = r"(?:chang|revers|flip|invert|switch|alter)\w*"
 _CHANGED = (
+    rf"\bof\s+(?:an?other|(?:some\s+)?other|a\s+different)\s+(?:\w+\s+)?{_THING}",
+    r"\bдруг(?:ой|их)\s+(?:\w+\s+)?(?:систем|уравнени|задач)\w+",
     r"\b(?:discreti[sz]ation|(?:difference|numerical|leap-?frog|midpoint|Runge\S*|Verlet|Euler(?:'s)?)\s+(?:scheme|integrator)s?"
     r"|дискретизаци\w+|(?:разностн|численн)\w+\s+схем\w+|схем\w+\s+Эйлера)\b",
     rf"\b{_TURNED}\s+(?:of\s+)?(?:the\s+|its\s+)?(?:signs?|directions?)\s+of\s+(?:the\s+|its\s+|this\s+)?(?:\w+\s+)?{_SIGNED}\b",
