@@ -282,7 +282,11 @@ def _said(one: SourceStatement, known: Known) -> Formula | None:
     if one.trouble == BY_NO_TIME:
         return tree_of(one.printed.display.tex, one.printed.number, known.paper.words)
     numbers = any(map(is_numerical, one.members))
-    if role is None or (numbers and one.bare and known.varying(one.names)):
+    if (
+        role is None
+        or role.kind == "another-law"
+        or (numbers and one.bare and known.varying(one.names))
+    ):
         return None
     return one.formula if role.name in SAYING or (role.name == ASSUMPTION and one.members) else None
 

@@ -91,7 +91,7 @@ from kowalevski_cas.reading.suppositions import (
 )
 from kowalevski_cas.reading.tried import tried
 from kowalevski_cas.reading.unknowns import unknown
-from kowalevski_cas.reading.unprinted_systems import of_another_system
+from kowalevski_cas.reading.unprinted_systems import of_another_system, of_related_law
 from kowalevski_cas.reading.which_system import of_several
 
 _BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
@@ -119,8 +119,9 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     if inferred.name == CLAIM and (said := _says_else(item, known)):
         inferred = StatementRole(OTHER, said, "asked")
     prints = is_row(item) and any(map(known.moves, item.rates))
-    own = prints or inferred.kind in (*OF_LINEAR_PART, "approximate")
-    if inferred.name == CLAIM and not own and (said := of_another_system(item, known)):
+    own = inferred.name != CLAIM or inferred.kind in (*OF_LINEAR_PART, "approximate")
+    other = of_related_law if prints else of_another_system
+    if not own and (said := other(item, known)):
         why = f"of a law that is not printed: “{said}”"
         inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
     elif inferred.name == CLAIM and (said := of_several(item, known)):

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Derivative, Name
+from kowalevski_cas.paper.implied import HAMILTONIANS
 from kowalevski_cas.reading.degrees import degrees, is_linear
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
@@ -198,6 +199,76 @@ _CALLS = re.compile(
 """Words that say what has been printed."""
 
 
+_ALIKE = (
+    r"comparison|auxiliary|dual|adjoint|conjugate|truncated|simplified|undamped|unforced|unperturbed|inverse|reversed?|homogeneous"
+    r"|generating|free|limit(?:ing)?|linear(?:i[sz]ed)?|harmonic|physical|mathematical|сопряж[её]нн\w+|вспомогательн\w+"
+    r"|двойственн\w+|укороченн\w+|упрощ[её]нн\w+|невозмущ[её]нн\w+|обратн\w+|однородн\w+|порождающ\w+|свободн\w+"
+    r"|предельн\w+|линейн\w+|линеаризованн\w+|физическ\w+|математическ\w+"
+)
+_ARE = (
+    r"(?:\b(?:is|are|reads?|becomes?|gives?|yields?|leads?\s+to|(?:takes?|has|have)\s+the\s+form|gets?|obtain|have|find"
+    r"|прим\w+\s+вид|име\w+(?:\s+вид)?|есть|получ\w+)\b|[-—:])"
+)
+_ALSO_RATES = re.compile(
+    rf"(?:\b(?P<alike>{_ALIKE})(?:\s+[\w-]+){{0,2}}?\s+(?:{_THING}|parts?\b|част\w+)(?:\s+(?:of|for|to|with|in)\s[^.;:,§]*|\s+\w+)?\s*"
+    r"|\b(?:in|в)\s+(?:the\s+)?(?:dimension(?:al|less)|physical|original|reversed|inverse|(?:без)?размерн\w+|физическ\w+|обращ[её]нн\w+)"
+    r"\s+(?:form|units?|variables?|time|форме|виде|единицах|переменных|времени)\b[^.;§]*?"
+    r"|\b(?:interchang|exchang|swap|permut|перестав|переставл|обмен|меняя\s+местами)\w*\s[^.;]*?"
+    r"|\b(?:revers|invert|обра[тщ])\w*\s+(?:(?:the|of)\s+)*(?:direction\s+of\s+(?:the\s+)?)?(?:time|motion|flow|arrow|врем\w+|движени\w+)\b[^.;§]*?"
+    r"|\b(?P<flow>flow|vector\s+field|поток|equations?|уравнени\w+)\s+(?:(?:of|by|with|for|generated|defined|the|function|Hamiltonian|функции|с|гамильтонианом)\s+)*§\s*"
+    r"|§\s*generates?\s+the\s+(?P<generated>(?:\w+\s+)?(?:flow|field|equations))\s*"
+    rf"){_ARE}?(?:\s+(?:then|now|simply|given\s+by|тогда))?[\s:,~]*(?:§(?:[\s,;~]|\b(?:and|и)\b)*)*$",
+    re.IGNORECASE,
+)
+"""How words end behind which the rates of a related law are printed: in the same letters."""
+
+
+def of_related_law(item: SourceStatement, known: Known) -> str:
+    """The words that give rates to another law than the printed one, to which it is related."""
+    laws = [law for law in known.laws if law.order <= item.order]
+    found = _ALSO_RATES.search(item.before) if laws else None
+    if found is None or any(one in law.rows for law in laws for one in known.cited(item)):
+        return ""
+    if found["flow"] or found["generated"]:
+        beside = (one for one in known.of_sentence(item.sentence) if one.order < item.order)
+        given = [one for one in beside if not one.derives][-1:]
+        heads = {
+            one.formula.name if isinstance(one.formula, Name) else one.bare[0]
+            for one in given
+            if isinstance(one.formula, Name) or one.bare
+        }
+        own = {name for law in laws for name in law.mentions} | {*HAMILTONIANS}
+        return "" if heads & own or not given else "flow of another function"
+    alike = found["alike"]
+    around = _named_so(item, known, max(row.sentence[1] for law in laws for row in law.rows))
+    own = alike is not None and re.search(rf"\b{re.escape(alike)}", around, re.IGNORECASE)
+    linear = alike is not None and re.match("linear|лине", alike, re.IGNORECASE)
+    if own or (linear and all(is_linear(law, known) for law in laws)):
+        return ""
+    return found[0].partition("§")[0].strip(" :,")
+
+
+_OF_IT = re.compile(
+    r"\W*(?:(?:it|its|they|their)\b|(?:for|by|of)\s+(?:it|them)\b|(?:this|these|the\s+latter|эт\w+)\s|(?:оно|он|она|его|её|их)\b)"
+    r"|[^.;]*\b(?:its|their|latter|его|её|их)\b",
+    re.IGNORECASE,
+)
+"""How a sentence begins that goes on to speak of what stood before it."""
+
+
+def _behind_related_law(item: SourceStatement, known: Known) -> str:
+    """The words for a related law of which a claim is made: in its sentence, or in the next."""
+    before = (one for one in known.items if one.order < item.order and one.section is item.section)
+    rows = [one for one in before if is_row(one) and known.roles[one].kind == "another-law"]
+    found = _ALSO_RATES.search(rows[-1].before) if rows else None
+    if found is None:
+        return ""
+    own = rows[-1].sentence == item.sentence
+    next_to = rows[-1].sentence[1] == item.sentence[0] and _OF_IT.match(item.before)
+    named = found["alike"] and re.search(rf"\b{found['alike']}", item.words, re.IGNORECASE)
+    return found[0].partition("§")[0].strip(" :,") if own or next_to or named else ""
+
+
 def of_another_system(item: SourceStatement, known: Known) -> str:
     """The words by which a claim is made of a system that is not printed; empty if it is not.
 
@@ -207,6 +278,8 @@ def of_another_system(item: SourceStatement, known: Known) -> str:
     laws = [law for law in known.laws if law.order <= item.order]
     if not laws or any(one in law.rows for law in laws for one in known.cited(item)):
         return ""
+    if said := _behind_related_law(item, known):
+        return said
     end = max(row.sentence[1] for law in laws for row in law.rows)
     own = f"{_PART.split(item.before)[-1]} § {_PART.split(item.after, maxsplit=1)[0]}"
     around = _named_so(item, known, end)
