@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import replace
 
-from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power
+from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power, Root
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
@@ -29,7 +29,7 @@ from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.permuted import has_more_rows
 from kowalevski_cas.reading.phrases import AT_TIMES, integral_words, is_conditional
 from kowalevski_cas.reading.rest_points import MARKED, POINT
-from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.rows import EITHER_SIGN, is_row
 from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
@@ -115,7 +115,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind == SAID:
         return None
-    if role.kind == "identity" and _is_of_a_motion(item, known):
+    if role.kind == "identity" and (_is_of_a_motion(item, known) or _has_one_of_signs(item)):
         return Doubt.ALWAYS
     if is_varied(item, known):
         return Doubt.ALWAYS
@@ -197,6 +197,16 @@ def _is_of_a_motion(item: SourceStatement, known: Known) -> bool:
     """
     begun = (one for one, role in known.roles.items() if role.kind == BEGINNING)
     return gives_velocity(item, known) or any(one.section is item.section for one in begun)
+
+
+def _has_one_of_signs(item: SourceStatement) -> bool:
+    r"""Whether a rate is given with either sign of a term, as :math:`\pm xy`: it has one of them.
+
+    That of a root is looked for.
+    """
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    signs = len(EITHER_SIGN.findall(item.printed.tex))
+    return item.derives and signs == 1 and not any(isinstance(node, Root) for node in nodes)
 
 
 def _is_in_limit(item: SourceStatement, known: Known) -> bool:

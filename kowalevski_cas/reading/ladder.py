@@ -6,7 +6,6 @@ and words say “on it”. No other one is ever tried.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
@@ -37,6 +36,7 @@ from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
 from kowalevski_cas.reading.roots_in_words import OF_ROOTS, equation_of_roots
+from kowalevski_cas.reading.rows import EITHER_SIGN
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage
@@ -153,7 +153,7 @@ class _Ladder(RungMaker):
         """An equation by itself, and where cited equations hold.
 
         What vanishes where others are cited is one of a set: nobody says that it always does. A
-        root has either sign if the sentence speaks of it.
+        root has either sign if the sentence speaks of it, or prints both.
         """
         says = "both sides are equal"
         if self._leaves_out():
@@ -164,7 +164,8 @@ class _Ladder(RungMaker):
             if not given_there or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
             yield from self._at_levels(assumptions)
-            if (root := self._root()) and cue("either root", self.item.words):
+            told = cue("either root", self.item.words) or EITHER_SIGN.search(self.item.printed.tex)
+            if (root := self._root()) and told:
                 chosen = f"{says}, for one value of ${root}$"
                 yield self.rung(Implication, chosen, assumptions, given=(), root=root)
             for given in given_there:
@@ -235,7 +236,7 @@ class _Ladder(RungMaker):
         """The other statements of the same display, but for the one with the other sign of a ±."""
         items = self.known.paper.items
         own = [one for one in items if one.typed is self.item.typed and one is not self.item]
-        either = re.search(r"\\(?:pm|mp)(?![A-Za-z])", self.item.typed.tex) is not None
+        either = EITHER_SIGN.search(self.item.typed.tex) is not None
         return [one for one in own if not (either and one.span == self.item.span)]
 
     # -- integrals -------------------------------------------------------------------

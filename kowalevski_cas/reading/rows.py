@@ -21,7 +21,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
 
-_EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
+EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
 
 _OF_SOME_MOTIONS = re.compile(
     r"\b(?:motions?|trajector(?:y|ies)|orbits?|solutions?)\s+"
@@ -39,7 +39,7 @@ def is_row(item: SourceStatement) -> bool:
     :math:`p=m\dot q`. With either sign of a term it is no law: with both, nothing might move. What
     is said of some motions is none.
     """
-    if not item.rates or _EITHER_SIGN.search(item.printed.tex):
+    if not item.rates or EITHER_SIGN.search(item.printed.tex):
         return False
     if _OF_SOME_MOTIONS.search(item.before):
         return False

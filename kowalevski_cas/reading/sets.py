@@ -14,6 +14,7 @@ from itertools import pairwise
 from kowalevski_cas.notation import Formula, Number, Relation
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.rows import EITHER_SIGN
 from kowalevski_cas.reading.statements import SourceStatement
 
 SetOfEquations = tuple[SourceStatement, ...]
@@ -76,7 +77,7 @@ def _by_signs(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquati
 
 def _are_of_signs(one: SourceStatement, other: SourceStatement) -> bool:
     """Whether two statements are one formula with either sign, not with two values of an index."""
-    signed = re.search(r"\\(?:pm|mp)(?![A-Za-z])", one.typed.tex)
+    signed = EITHER_SIGN.search(one.typed.tex)
     return one.span == other.span and signed is not None
 
 
