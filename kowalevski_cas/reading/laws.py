@@ -12,7 +12,7 @@ from kowalevski_cas.reading.free_brackets import free_brackets
 from kowalevski_cas.reading.kinematics import free_motion
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.names import Names
-from kowalevski_cas.reading.other_systems import averaged_system, other_system
+from kowalevski_cas.reading.other_systems import averaged_system, other_system, stands_beside
 from kowalevski_cas.reading.polar import coordinates_in_words, radius_of
 from kowalevski_cas.reading.printed_rates import PrintedRates, is_averaged
 from kowalevski_cas.reading.restated import replaced_law, times_of
@@ -208,6 +208,7 @@ class _LawFinder(PrintedRates):
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
         if not (self._may_set_up(item) or beside):
             return None
+        beside = beside and not stands_beside(self, item, part)
         if not beside and item not in (*self.said.rows, *self.solutions):
             law = replaced_law(item, part, self.paper) or averaged_system(self, item)
             if law := law or other_system(self, item, part):

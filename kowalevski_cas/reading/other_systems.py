@@ -25,21 +25,23 @@ def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]
     of the law before, nor rest on them.
     """
     before = part[0].first
+    beside = stands_beside(rates, item, part)
     titled = before.section is not item.section and cue("another system", item.section.title)
-    said = cue("another system", item.before) or titled
+    said = cue("another system", item.before) or titled or beside
     apart = [one for one in item.sections if one not in before.sections]
     new = bool(apart) and before.section not in item.sections
     if (item.refs and not cue("another system", item.before)) or not (new or said):
         return None
     begins = _begins(rates, item, apart[0].start) if apart else item.sentence[0]
+    begins = item.typed.start if beside else begins
     end = apart[0].end if apart else item.section.end
     printed_rows = (row for row in rates.undefined(begins) if row not in rates.said.rows)
     rows = [row for row in printed_rows if begins <= row.typed.start < end]
-    beside = {row for row in rates.rows if row.typed is item.typed}
-    law = rates.grown(item, (), rows) if beside <= {*rows} else None
+    own = {row for row in rates.rows if row.typed is item.typed}
+    law = rates.grown(item, (), rows) if own <= {*rows} else None
     if law is None:
         return None
-    if all(rates.is_defined(row, item.section.start) for row in beside):
+    if all(rates.is_defined(row, item.section.start) for row in own):
         return None  # it is deduced for names that stand for what moves
     old = {name for one in part for name in one.variables}
     rated, named = {*law.variables}, {*rates.names.scalars(law.mentions)}
@@ -67,8 +69,25 @@ def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]
         return None
     between = [one for one in rates.paper.items if begins <= one.typed.start < item.typed.start]
     speaks = any({*rates.names.scalars(one.names)} & old - rated for one in between)
-    law.begins = item.sentence[0] if speaks else begins
+    law.begins = item.sentence[0] if speaks and not beside else begins
     return law
+
+
+def stands_beside(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]) -> bool:
+    """Whether only “and” stands between a display and that of a law for the same letters."""
+    if item.typed.inline or not _AND.fullmatch(item.lead):
+        return False
+    rated = {name for row in rates.rows if row.typed is item.typed for name in rates.scalars(row)}
+    return any(
+        {row.typed for row in law.items} == {law.first.typed}
+        and law.first.sentence == item.sentence
+        and {*law.variables} == rated
+        and law.first.typed.end <= item.typed.start
+        for law in part
+    )
+
+
+_AND = re.compile(r"[\s,;~]*(?:and|и|as\s+well\s+as)[\s:,~]*", re.IGNORECASE)
 
 
 def averaged_system(rates: PrintedRates, item: SourceStatement) -> Law | None:

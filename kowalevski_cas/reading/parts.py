@@ -33,7 +33,7 @@ from kowalevski_cas.reading.suppositions import POSITIVE
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
-from kowalevski_cas.reading.which_system import part_in_words
+from kowalevski_cas.reading.which_system import nearest_labels, part_in_words
 
 _RETURN = re.compile(
     r"\W*(?:(?:let\s+us|we|now|finally|again|then|next)[\s,]+)*"
@@ -109,9 +109,9 @@ class Parts:
             known.elsewhere = frozenset(name for law in others for name in law.variables)
 
     def _place(self, item: SourceStatement) -> int:
-        """The part of a statement: where it stands, or that of the only law that is cited."""
+        """The part of a statement: where it stands, or that of the only law that is cited by it."""
         here = self.part_at(item.typed.start)
-        cited = {one for label in item.refs for one in self.paper.labels.get(label, ())}
+        cited = {one for label in nearest_labels(item) for one in self.paper.labels.get(label, ())}
         found = {self.part_at(law.first.typed.start) for law in self.laws if cited & law.printed}
         is_row = any(item in law.printed for law in self.laws)
         return found.pop() if len(found) == 1 and not is_row else here

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.reading.text import Prose, references
 
 _NOUN = (
     r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?"
@@ -34,6 +34,10 @@ _ALL = re.compile(
 )
 
 
+_FOLLOWING = re.compile(r"\bfollow|\bholds?\b|\btrue\b|\bверно\b|\bследующ", re.IGNORECASE)
+"""Words that announce what is said in the next sentence."""
+
+
 def part_in_words(item: SourceStatement, own: Sequence[Sequence[Law]], prose: Prose) -> int | None:
     """The part of the system that words beside a statement name by its number."""
     if len(own) < 2 or any(item in law.printed for laws in own for law in laws):
@@ -47,13 +51,31 @@ def part_in_words(item: SourceStatement, own: Sequence[Sequence[Law]], prose: Pr
     return number if not called and number < len(own) == 2 else None
 
 
+_OTHER_CLAUSE = re.compile(
+    r"[,;:.]|\b(?:whereas|while|but|а|но)\b|\b(?:and|и)\s+(?:for|in|by|under|on|для|в|по)\b",
+    re.IGNORECASE,
+)
+
+
+def nearest_labels(item: SourceStatement) -> tuple[str, ...]:
+    """The labels that words cite right behind a statement, or before it, or in its sentence."""
+    behind, before = _OTHER_CLAUSE.split(item.tail, maxsplit=1)[0], item.lead
+    return references(behind) or references(before) or item.refs
+
+
 def of_several(item: SourceStatement, known: Known) -> str:
     """The words by which a claim is one of several systems, of which one only is looked at."""
     moving = {name for law in known.laws for name in law.variables}
     if not moving & known.elsewhere:
         return ""
-    found = _ALL.search(item.words)
-    return found[0].strip(" ,.;:") if found else ""
+    if found := _ALL.search(item.words):
+        return found[0].strip(" ,.;:")
+    printed = {one for law in known.laws for one in law.printed}
+    announced = references(item.earlier[0]) if _FOLLOWING.search(" ".join(item.earlier[:1])) else ()
+    labels = nearest_labels(item) or announced
+    cited = [one for label in labels for one in known.paper.labels.get(label, ())]
+    of_others = any(moving & one.rates.keys() and one not in printed for one in cited)
+    return " and ".join(labels) if of_others and printed & {*cited} else ""
 
 
 def _number(item: SourceStatement) -> int | None:

@@ -40,3 +40,43 @@ def test_systems_that_words_set_up_in_another_order():
         words = f"The function ${function}$ is an integral of the first system."
         found = verdicts(swapped + words).get(function)
         assert found is None or found.green == true
+
+
+LABELLED = (
+    r"""\begin{equation}\label{a}\dot x=y,\quad\dot y=-x\end{equation} and
+    \begin{equation}\label{b}\dot x=y,\quad\dot y=x.\end{equation} """,
+    r"""Consider \begin{equation}\label{a}\dot x=y,\quad\dot y=-x.\end{equation} Another system is
+    \begin{equation}\label{b}\dot x=y,\quad\dot y=x.\end{equation} """,
+)
+OF_THESE = (
+    (r"The function $FUNCTION$ is an integral of \eqref{a}.", "x^2+y^2"),
+    (r"The function $FUNCTION$ is an integral of \eqref{b}.", "x^2-y^2"),
+    (r"By \eqref{b} we see that $FUNCTION$ is constant.", "x^2-y^2"),
+    (r"The next is true of \eqref{a} and \eqref{b}. $FUNCTION$ is an integral of \eqref{b}.", "x^2-y^2"),
+    (r"The function $FUNCTION$ is an integral of \eqref{a} and \eqref{b}.", ""),
+    (r"For \eqref{a} and \eqref{b} the function $FUNCTION$ is an integral.", ""),
+    (r"The following holds for \eqref{a} and \eqref{b}. The function $FUNCTION$ is constant.", ""),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("systems", LABELLED)
+@pytest.mark.parametrize(("words", "green"), OF_THESE)
+def test_a_claim_is_of_the_system_that_is_cited(systems, words, green):
+    for function in ("x^2+y^2", "x^2-y^2"):
+        found = verdicts(systems + words.replace("FUNCTION", function)).get(function)
+        assert (found is not None and found.green) == (function == green)
+
+
+@pytest.mark.parametrize("systems", LABELLED)
+def test_each_clause_cites_its_own_system(systems):
+    words = r"For \eqref{a}, $\frac{d}{dt}(xy)=A$, whereas for \eqref{b} $\frac{d}{dt}(xy)=B$."
+    for first, second in (("y^2-x^2", "x^2+y^2"), ("x^2+y^2", "y^2-x^2")):
+        found = verdicts(systems + words.replace("A", first).replace("B", second))
+        for value, true in ((first, "y^2-x^2"), (second, "x^2+y^2")):
+            assert found[rf"\frac{{d}}{{dt}}(xy)={value}"].green == (value == true)
+
+
+def test_an_equation_for_another_letter_belongs_to_the_same_system():
+    law = r"Let \begin{equation}\ddot x=-x\end{equation} and \begin{equation}\ddot y=-y.\end{equation} "
+    found = verdicts(law + r"The function $x\dot y-y\dot x$ is an integral.")
+    assert found[r"x\dot y-y\dot x"].green
