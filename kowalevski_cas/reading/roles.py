@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.notation import Conjugate, Name, Number, Relation
 from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
@@ -161,6 +161,14 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
     if item.trouble and _TO_INFINITY.fullmatch(item.typed.tex):
         return StatementRole(OTHER, "no equation")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
+
+
+def barred(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What has a letter with a bar that is a new name: it would be read as a conjugate."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    bars = known.paper.bars_make_names and any(isinstance(node, Conjugate) for node in nodes)
+    why = "a bar makes a new name here, which is not read: print a tilde"
+    return StatementRole(OTHER, why, "asked") if bars and known.law_of(item) is None else None
 
 
 def of_other_number(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -402,13 +410,12 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant, expression,
-    named_set, law, partial_equation, radius, solved, constraint, reaction, together, unit,
-    bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words, kept,
-    unknown, repeated,
-    gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
-    of_roots_spoken_of, solution, constant_of_solution, energy, of_place, on_place, of_levels,
-    one_of_several, definition, square, assumption, value, approximate, set_of_rates,
-    of_some_motions, rate, zero_set, level, integral, identity, other,
+    unread, barred, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
+    expression, named_set, law, partial_equation, radius, solved, constraint, reaction, together,
+    unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words,
+    kept, unknown, repeated, gives_derivative, special_function, change, roots, by_steps,
+    claimed_set, point, tried, of_roots_spoken_of, solution, constant_of_solution, energy,
+    of_place, on_place, of_levels, one_of_several, definition, square, assumption, value,
+    approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

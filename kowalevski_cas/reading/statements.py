@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kowalevski_cas.notation import (
+    Conjugate,
     Derivative,
     Formula,
     Name,
@@ -287,6 +288,22 @@ class SourcePaper:
         return found
 
     @cached_property
+    def bars_make_names(self) -> bool:
+        r"""Whether a letter with a bar is first printed where it is given, as :math:`\\bar x=x+y`.
+
+        Where nothing is complex this is a new name, and no conjugate of what moves.
+        """
+        barred = [one for one in self.items if one.members and Conjugate in map(type, _nodes(one))]
+        if not barred or any("i" in one.names for one in self.items):
+            return False
+        if _COMPLEX.search(self.prose.text):
+            return False
+        match barred[0].members:
+            case (Conjugate(Name(name)), value):
+                return value != Name(name) and Conjugate not in map(type, value.nodes())
+        return False
+
+    @cached_property
     def maps(self) -> frozenset[SourceStatement]:
         """The statements with primes in a section that speaks of a map: they are images."""
         words = self.prose.between
@@ -309,6 +326,16 @@ class SourcePaper:
             if number not in found:
                 found[number] = [item for item in self.items if item.typed is typed]
         return found
+
+
+_COMPLEX = re.compile(
+    r"\b(?:complex|conjugate\s+(?:of|to|function|number|quantit)\w*|holomorphic|комплексн\w*|сопряж[её]нн\w+\s+(?:к|функци|числ|величин)\w*)",
+    re.IGNORECASE,
+)
+
+
+def _nodes(item: SourceStatement) -> list[Formula]:
+    return [*item.formula.nodes()] if item.formula is not None else []
 
 
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
