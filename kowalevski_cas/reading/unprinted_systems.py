@@ -241,9 +241,9 @@ def of_related_law(item: SourceStatement, known: Known) -> str:
         return "" if heads & own or not given else "flow of another function"
     alike = found["alike"]
     around = _named_so(item, known, max(row.sentence[1] for law in laws for row in law.rows))
-    own = alike is not None and re.search(rf"\b{re.escape(alike)}", around, re.IGNORECASE)
+    called = alike is not None and re.search(rf"\b{re.escape(alike)}", around, re.IGNORECASE)
     linear = alike is not None and re.match("linear|лине", alike, re.IGNORECASE)
-    if own or (linear and all(is_linear(law, known) for law in laws)):
+    if called or (linear and all(is_linear(law, known) for law in laws)):
         return ""
     return found[0].partition("§")[0].strip(" :,")
 
