@@ -7,6 +7,7 @@ neither is so, what is meant cannot be seen, and is not guessed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from typing import NamedTuple
@@ -23,6 +24,8 @@ from kowalevski_cas.notation.tokens import BEGINNING, BRACE, ENDING, Token
 # Breaks, the stronger the larger: of several in a row the strongest counts.
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
 _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
+EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|±|∓")
+"""The signs of what is printed once for two statements."""
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
 

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power, Root
+from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
@@ -29,7 +30,7 @@ from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.permuted import has_more_rows
 from kowalevski_cas.reading.phrases import AT_TIMES, integral_words, is_conditional
 from kowalevski_cas.reading.rest_points import MARKED, POINT
-from kowalevski_cas.reading.rows import EITHER_SIGN, is_row
+from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical

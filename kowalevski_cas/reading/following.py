@@ -29,7 +29,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.edits import subtree
-from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.layout import EITHER_SIGN, statements
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.components import usual_meanings
 from kowalevski_cas.reading.cues import cue
@@ -74,9 +74,6 @@ _VANISHES = re.compile(
 """Words behind what is zero."""
 
 _ARROW = re.compile(r"\\(?:(?:Long)?(?:[Ll]eft)?[Rr]ightarrow|implies|iff)(?:[\s&]|\\q?quad)*\Z")
-
-_SIGNS = re.compile(r"\\(?:pm|mp)(?![A-Za-z])|±|∓")
-"""The signs of two statements, of which one may follow."""
 
 _CASE = re.compile(
     r"\\(?:text|mbox)\s*\{\s*(?:if|when|for(?!\s+(?:all|any|every|each)\b)(?!\W*[ijkn]\W*(?:=|\\in)))\b",
@@ -322,7 +319,7 @@ class _Section:
             return not (item.typed.inline or _ANOTHER.search(words))
         if cue("when", words) or cue("place", words) or _ANOTHER.search(words):
             return False
-        if _FORCE.search(self._behind(item)) or _SIGNS.search(item.printed.tex):
+        if _FORCE.search(self._behind(item)) or EITHER_SIGN.search(item.printed.tex):
             return False
         pairs = pairs_of(formula)
         derived = pairs[0][0]

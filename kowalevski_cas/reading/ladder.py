@@ -12,6 +12,7 @@ from typing import Any
 
 from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.notation.edits import substitute
+from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.paper.claims import (
     Claim,
     Coefficient,
@@ -36,7 +37,6 @@ from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
 from kowalevski_cas.reading.roots_in_words import OF_ROOTS, equation_of_roots
-from kowalevski_cas.reading.rows import EITHER_SIGN
 from kowalevski_cas.reading.rung import Rung, RungMaker, places, stronger
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.stage import Stage

@@ -17,11 +17,10 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
 )
+from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourceStatement
-
-EITHER_SIGN = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
 
 _OF_SOME_MOTIONS = re.compile(
     r"\b(?:motions?|trajector(?:y|ies)|orbits?|solutions?)\s+"

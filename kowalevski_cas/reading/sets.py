@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.notation import Formula, Number, Relation
+from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import Known
-from kowalevski_cas.reading.rows import EITHER_SIGN
 from kowalevski_cas.reading.statements import SourceStatement
 
 SetOfEquations = tuple[SourceStatement, ...]

@@ -18,7 +18,6 @@ the ids of the claims. Of a repair of another formula ``blamed`` is what is prin
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -28,6 +27,7 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.limits import clock
 from kowalevski_cas.notation import Edit, NotationError
+from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.paper.claims import (
     Claim,
     Inequality,
@@ -76,13 +76,10 @@ _OF_POINTS = (InvariantRelations, RestPoint, RestPoints, OfLinearPart, Inequalit
 """The claims that say so little of the law that for one of them alone it is not suspected."""
 
 
-_TWO_SIGNS = re.compile(r"\\(?:pm|mp)(?![A-Za-z])")
-
-
 def _as_printed(claim: Claim) -> tuple[str, ...]:
     """The formula of a claim that is printed for two signs at once; else the claim itself."""
     printed = claim.printed
-    if printed is None or not _TWO_SIGNS.search(printed.tex):
+    if printed is None or not EITHER_SIGN.search(printed.tex):
         return (claim.id,)
     return (printed.display.id, printed.tex)
 
