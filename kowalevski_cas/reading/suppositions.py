@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Name, Number, Power, Relation, Vector
+from kowalevski_cas.notation import Formula, Name, Number, Power, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
@@ -324,6 +324,8 @@ def in_several_cases(item: SourceStatement, known: Known) -> str:
 
     They suppose these, or a law has the constant.
     """
+    if said := _behind(item, known):
+        return said
     for one in known.of_sentence(item.sentence):
         own = _listed_with(one, known) if one is not item else []
         if own and item not in own:
@@ -332,6 +334,31 @@ def in_several_cases(item: SourceStatement, known: Known) -> str:
                 return said
             if not known.untied(one.bare[:1]):
                 return words.strip()
+    return ""
+
+
+_SUPPOSES = re.compile(r"\b(?:for|if|when|при|если|когда)[\s~]*$", re.IGNORECASE)
+_NOT = re.compile(r"\b(?:not|no|fails?|unless|не|нет)\b", re.IGNORECASE)
+
+
+def _behind(item: SourceStatement, known: Known) -> str:
+    """The words before the second of two values of a constant that stand right behind a statement.
+
+    As in “F is an integral for a=1 and for a=2”.
+    """
+    met: dict[str, Formula] = {}
+    for one in known.of_sentence(item.sentence):
+        if one.order <= item.order:
+            continue
+        match one.members:
+            case (Name(name), value) if is_number([value]) and not known.varies(name):
+                words = _SUPPOSES.search(one.lead)
+                if words is None or _NOT.search(one.lead):
+                    return ""
+                if met.setdefault(name, value) != value:
+                    return words[0].strip()
+            case _:
+                return ""
     return ""
 
 

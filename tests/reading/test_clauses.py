@@ -100,9 +100,10 @@ def test_an_inequality_of_what_moves_is_claimed_unless_words_suppose_it(sentence
             [("proved", ["c=0"])],
         ),
         ("The function $z$ is constant if $c=0$, and grows if $c>0$.", [("proved", ["c=0"])]),
-        ("$z$ is an integral for $c=0$ and for $c=2$.", [("refuted", ["c=2"])]),
-        ("$z$ is constant for $c=0$ and is constant for $c=2$.", [("refuted", ["c=2"])]),
-        ("$z$ is an integral for $c=0$ and remains one for $c=2$.", [("refuted", ["c=2"])]),
+        ("$z$ is an integral for $c=0$ and for $c=2$.", []),  # each is a case
+        ("$z$ is an integral for $c=2$ and for $c=0$.", []),
+        ("$z$ is constant for $c=2$ and is constant for $c=0$.", []),
+        ("$z$ is an integral for $c=2$ and remains one for $c=0$.", []),
         ("$z$ is an integral when $c=0$ but not when $c=1$.", []),
         ("When $c=1$, and not when $c=0$, the function $z$ is an integral.", []),
     ],
