@@ -215,7 +215,7 @@ _ALSO_RATES = re.compile(
     r"\s+(?:form|units?|variables?|time|форме|виде|единицах|переменных|времени)\b[^.;§]*?"
     r"|\b(?:interchang|exchang|swap|permut|перестав|переставл|обмен|меняя\s+местами)\w*\s[^.;]*?"
     r"|\b(?:revers|invert|обра[тщ])\w*\s+(?:(?:the|of)\s+)*(?:direction\s+of\s+(?:the\s+)?)?(?:time|motion|flow|arrow|врем\w+|движени\w+)\b[^.;§]*?"
-    r"|\b(?P<flow>flow|vector\s+field|поток|equations?|уравнени\w+)\s+(?:(?:of|by|with|for|generated|defined|the|function|Hamiltonian|функции|с|гамильтонианом)\s+)*§\s*"
+    r"|\b(?P<flow>flow|vector\s+field|поток|equations?|уравнени\w+)\s+(?:(?:of|by|with|for|generated|defined|the|function|Hamiltonian|функции|с|гамильтонианом)\s+)+§\s*"
     r"|§\s*generates?\s+the\s+(?P<generated>(?:\w+\s+)?(?:flow|field|equations))\s*"
     rf"){_ARE}?(?:\s+(?:then|now|simply|given\s+by|тогда))?[\s:,~]*(?:§(?:[\s,;~]|\b(?:and|и)\b)*)*$",
     re.IGNORECASE,
@@ -230,15 +230,14 @@ def of_related_law(item: SourceStatement, known: Known) -> str:
     if found is None or any(one in law.rows for law in laws for one in known.cited(item)):
         return ""
     if found["flow"] or found["generated"]:
-        beside = (one for one in known.of_sentence(item.sentence) if one.order < item.order)
-        given = [one for one in beside if not one.derives][-1:]
+        beside = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
+        given = [one for one in beside if known.varying(one.names) and not one.derives][-1:]
         heads = {
-            one.formula.name if isinstance(one.formula, Name) else one.bare[0]
+            one.formula.name if isinstance(one.formula, Name) else next(iter(one.bare), "")
             for one in given
-            if isinstance(one.formula, Name) or one.bare
         }
         own = {name for law in laws for name in law.mentions} | {*HAMILTONIANS}
-        return "" if heads & own or not given else "flow of another function"
+        return "flow of another function" if given and not heads & own else ""
     alike = found["alike"]
     around = _named_so(item, known, max(row.sentence[1] for law in laws for row in law.rows))
     called = alike is not None and re.search(rf"\b{re.escape(alike)}", around, re.IGNORECASE)
