@@ -453,7 +453,8 @@ def uncovered(reading: Reading) -> list[Uncovered]:
         (row.sentence, passage_at(row.sentence, OF_LAW, paper.source, paper.expanded))
         for row in reading.parts.deduced()
     ]
-    return [*dict(sorted(left, reverse=True)).values()][::-1]
+    left.sort(key=lambda one: one[0])
+    return [*dict(reversed(left)).values()][::-1]
 
 
 def _skipped(reading: Reading) -> Iterator[JudgedStatement]:

@@ -259,8 +259,8 @@ class Stage:
         for name, by in closure.definitions.items():
             others = {n for one in statements - {by} for n in one.names}
             letters = by.names - {name}
-            free = letters.isdisjoint(others | supposed) and not self.known.varying(letters)
-            if free and _is_by_sine(by, name):
+            free = letters.isdisjoint(others | supposed | self.known.times)
+            if free and not self.known.varying(by.names) and _is_by_sine(by, name):
                 own[name] = letters
         if not own:
             return closure
@@ -507,12 +507,13 @@ class Stage:
 
 
 def _is_by_sine(item: SourceStatement, name: str) -> bool:
-    """Whether a name is given by a product of letters, and functions of others as the sine."""
+    """Whether a name is given by a product of letters, and sines or cosines of others."""
     match item.members:
         case (Name(given), Product(factors)) if given == name:
             functions = [one for one in factors if isinstance(one, Application)]
-            plain = all(isinstance(one, Name | Application) for one in factors)
-            return plain and bool(functions) and len(item.names) == len(factors) + 1
+            plain = all(isinstance(one, Name) or one in functions for one in factors)
+            sines = all(one.function in (r"\sin", r"\cos") for one in functions)
+            return plain and sines and bool(functions) and len(item.names) == len(factors) + 1
     return False
 
 
