@@ -33,6 +33,7 @@ from kowalevski_cas.reading.phrases import (
     words_behind,
     words_of,
 )
+from kowalevski_cas.reading.rest_points import says_more_rest
 from kowalevski_cas.reading.sets import has_set_beside
 from kowalevski_cas.reading.solutions import rated_before
 from kowalevski_cas.reading.statements import SourceStatement
@@ -246,6 +247,8 @@ def claimed_set(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of the set", kind)
     if said := resting(item):
         return StatementRole(CLAIM, f"“{said}” is said of the points", "rest")
+    if says_more_rest(item):
+        return StatementRole(CLAIM, "there are more points of rest, as words say", "rest")
     if motion := _motion(item):
         return StatementRole(CLAIM, f"“{motion}” is a motion in the set", "invariant")
     return _solutions_at_rest(item, known)

@@ -113,10 +113,16 @@ def says_rest(item: SourceStatement) -> bool:
     before = _LIST_BEFORE.sub("", item.before)
     if said := _BEFORE.search(before):
         return not _NO.search(before, 0, said.start())
-    if _ALSO.search(before) and item.earlier and _SPOKEN.search(item.earlier[0]):
-        return not cue("denied", item.earlier[0])
+    if says_more_rest(item):
+        return True
     list_behind = _FAMILY_BEHIND.match(item.after) or _LIST_BEHIND.match(item.after)
     return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
+
+
+def says_more_rest(item: SourceStatement) -> bool:
+    """Whether there are more points by words before a list, and the sentence before has some."""
+    more = _ALSO.search(_LIST_BEFORE.sub("", item.before)) and item.earlier
+    return bool(more and _SPOKEN.search(item.earlier[0]) and not cue("denied", item.earlier[0]))
 
 
 def is_of_family(item: SourceStatement) -> bool:

@@ -37,3 +37,19 @@ def test_one_equilibrium_may_be_given_by_two_equations():
     text = r"""The bead obeys \[\ddot\psi=(1+\cos\psi)\cos\psi.\]
     There is the equilibrium $\sin\psi=0$ and $\cos\psi=-1$."""
     assert all(one.green for one in verdicts(text).values())
+
+
+LORENZ = r"""The motion is \[ \dot x=s(y-x),\qquad\dot y=rx-y-xz,\qquad\dot z=xy-bz . \]
+For $r<1$ the origin is the only equilibrium. If $r>1$, there are two more, \[ x=y=\pm\sqrt{b(r-1)},\qquad z=r%s . \]"""
+
+
+@pytest.mark.parametrize(("last", "green"), [("-1", True), ("", False)])
+def test_there_are_more_of_what_the_sentence_before_has(last, green):
+    assert verdicts(LORENZ % last)[r"x=y=\pm\sqrt{b(r-1)}"].green == green
+
+
+def test_more_integrals_are_no_points_of_rest():
+    found = verdicts(
+        LORENZ.partition("two more")[0] + r"two more integrals, \[ x=y,\qquad z=r . \]"
+    )
+    assert not any(one.green for one in found.values())
