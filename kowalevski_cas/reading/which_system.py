@@ -12,7 +12,7 @@ from kowalevski_cas.reading.text import Prose, references
 
 _NOUN = (
     r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?"
-    r"|(?:систем|задач|модел|пол)\w*)"
+    r"|of\s+(?:them|these|those|the\s+two)|(?:систем|задач|модел|пол)\w*|из\s+них)"
 )
 _ORDINALS = (
     ("first", "former", "original", "initial", "перв", "исходн"),
@@ -22,7 +22,7 @@ _ORDINALS = (
 )
 _WORD = "|".join(word for words in _ORDINALS for word in words)
 _WHICH = re.compile(
-    rf"\b(?:of|for|in|by|to|has|have|under|для|в|у)\s+(?:the\s+)?(?P<which>{_WORD})\w*(?P<noun>\s+(?:of\s+(?:the|these|our)\s+)?{_NOUN}\b)?"
+    rf"\b(?:of|for|in|by|to|has|have|under|along|on|для|в|у|вдоль)\s+(?:the\s+)?(?P<which>{_WORD})\w*(?P<noun>\s+(?:of\s+(?:the|these|our)\s+)?{_NOUN}\b)?"
     rf"|\b(?P<named>{_WORD})\w*\s+{_NOUN}\b",
     re.IGNORECASE,
 )
@@ -36,6 +36,12 @@ _ALL = re.compile(
 
 _FOLLOWING = re.compile(r"\bfollow|\bholds?\b|\btrue\b|\bверно\b|\bследующ", re.IGNORECASE)
 """Words that announce what is said in the next sentence."""
+
+_CASE = re.compile(
+    rf"\b(?:in|for)\s+(?:the\s+)?(?:{_WORD})\w*\s+cases?\b|\b(?:в|для)\s+(?:{_WORD})\w*\s+случа\w+",
+    re.IGNORECASE,
+)
+"""Words for a case, which may be that of one of the systems."""
 
 
 def part_in_words(item: SourceStatement, own: Sequence[Sequence[Law]], prose: Prose) -> int | None:
@@ -68,7 +74,7 @@ def of_several(item: SourceStatement, known: Known) -> str:
     moving = {name for law in known.laws for name in law.variables}
     if not moving & known.elsewhere:
         return ""
-    if found := _ALL.search(item.words):
+    if found := _ALL.search(item.words) or _CASE.search(item.words):
         return found[0].strip(" ,.;:")
     printed = {one for law in known.laws for one in law.printed}
     announced = references(item.earlier[0]) if _FOLLOWING.search(" ".join(item.earlier[:1])) else ()
@@ -80,16 +86,26 @@ def of_several(item: SourceStatement, known: Known) -> str:
 
 def _number(item: SourceStatement) -> int | None:
     """The number of the system of which the words right behind a statement speak, or before it."""
-    for words in (item.tail, item.lead, item.words):
-        if found := _numbers(words):
+    spoken = _has_noun(item.words)
+    behind, before = _END.split(item.tail, maxsplit=1)[0], _BREAK.split(item.lead)[-1]
+    for words in (behind, before, item.words):
+        if found := _numbers(words, nouns=spoken):
             return found.pop() if len(found) == 1 else None
     return None
 
 
-def _numbers(words: str) -> set[int]:
-    """The numbers of systems in words: without a noun behind it one is of something else."""
+_END, _BREAK = re.compile(r"[,;:]"), re.compile(r"[;:]")
+"""Where a clause ends behind a statement, and where it begins before it."""
+
+
+def _has_noun(words: str) -> bool:
+    return any(match["noun"] or match["named"] for match in _WHICH.finditer(words))
+
+
+def _numbers(words: str, *, nouns: bool = False) -> set[int]:
+    """The numbers of systems in words: without a noun in the sentence one is of something else."""
     found = [*_WHICH.finditer(words)]
-    nouns = any(match["noun"] or match["named"] for match in found)
+    nouns = nouns or _has_noun(words)
     told = ((match["which"] or match["named"]).lower() for match in found)
     return {
         number

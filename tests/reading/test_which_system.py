@@ -16,6 +16,9 @@ The second system is \[ \dot x=y,\qquad\dot y=x. \] """
         ("For the first system $FUNCTION$ is an integral.", "x^2+y^2"),
         ("For the second one $FUNCTION$ is an integral of the system.", "x^2-y^2"),
         ("In the latter $FUNCTION$ is conserved.", "x^2-y^2"),
+        ("The first of them has the integral $FUNCTION$.", "x^2+y^2"),
+        ("Along the second flow $FUNCTION$ is constant; along the first $x$ is not.", "x^2-y^2"),
+        ("In the first case $FUNCTION$ is constant.", ""),
         ("The function $FUNCTION$ is an integral of both systems.", ""),
         ("The function $FUNCTION$ is an integral of either of them.", ""),
         ("Each of the two systems has the integral $FUNCTION$.", ""),
@@ -80,3 +83,12 @@ def test_an_equation_for_another_letter_belongs_to_the_same_system():
     law = r"Let \begin{equation}\ddot x=-x\end{equation} and \begin{equation}\ddot y=-y.\end{equation} "
     found = verdicts(law + r"The function $x\dot y-y\dot x$ is an integral.")
     assert found[r"x\dot y-y\dot x"].green
+
+
+def test_each_clause_has_its_own_system():
+    text = (
+        SYSTEMS
+        + "Along the first flow $FUNCTION$ is constant; along the second $x^2+y^2$ is constant too."
+    )
+    assert verdicts(text.replace("FUNCTION", "x^4+2x^2y^2+y^4"))["x^4+2x^2y^2+y^4"].green
+    assert not verdicts(text.replace("FUNCTION", "x^4+2x^2y^2+y^4"))["x^2+y^2"].green
