@@ -66,7 +66,8 @@ def orders_of(item: SourceStatement, near: SetOfEquations, known: Known) -> Orde
     """The orders to which an approximation holds near a place; ``None`` if they are not known."""
     scalars = known.names.scalars(name for one in near for name in one.names)
     small = {*filter(known.moves, scalars)}
-    degrees = [_degree(member, small, known) for member in item.members[1:]]
+    sides = [one for one in item.members[1:] if not isinstance(one, Name)]
+    degrees = [_degree(member, small, known) for member in sides]
     if None in degrees:
         return None
     left = _degree(item.members[0], small, known)
@@ -88,11 +89,12 @@ def _last(found: re.Match[str]) -> tuple[int, bool]:
 
 def _degree(formula: Formula, small: Collection[str], known: Known) -> int | None:
     """The degree of a formula in what is small; ``None`` if it is no polynomial in this."""
-    if not {inner for name in formula.names() for inner in known.below(name)} & {*small}:
+    moving = {n for n in formula.names() if n in small or (known.is_defined(n) and known.varies(n))}
+    if not moving:
         return 0
     match formula:
         case Name(name):
-            return int(name in small)
+            return 1 if name in small else None
         case Derivative(argument) | Negative(argument):
             return _degree(argument, small, known)
         case Power(base, Number(power)) if power == int(power) > 0:

@@ -223,6 +223,14 @@ _ALSO_RATES = re.compile(
 """How words end behind which the rates of a related law are printed: in the same letters."""
 
 
+_COMES_OUT = re.compile(
+    r"\b(?:an?|two|three|four|several|becom\w+|reduc\w+|gets?|obtain\w*|ha(?:s|ve)|gives?|yields?|if|when|for\s+§"
+    r"|при|если|когда|получ\w+|переход\w+|сводится)\b[^.;]*$",
+    re.IGNORECASE,
+)
+"""Words by which what is like it comes out of the printed law, as where a constant is zero."""
+
+
 def of_related_law(item: SourceStatement, known: Known) -> str:
     """The words that give rates to another law than the printed one, to which it is related."""
     laws = [law for law in known.laws if law.order <= item.order]
@@ -239,6 +247,8 @@ def of_related_law(item: SourceStatement, known: Known) -> str:
         own = {name for law in laws for name in law.mentions} | {*HAMILTONIANS}
         return "flow of another function" if given and not heads & own else ""
     alike = found["alike"]
+    if alike is not None and _COMES_OUT.search(item.before, 0, found.start("alike")):
+        return ""
     around = _named_so(item, known, max(row.sentence[1] for law in laws for row in law.rows))
     called = alike is not None and re.search(rf"\b{re.escape(alike)}", around, re.IGNORECASE)
     linear = alike is not None and re.match("linear|лине", alike, re.IGNORECASE)

@@ -95,3 +95,11 @@ def test_the_flow_of_another_function_is_not_that_of_the_energy(words, rates):
 def test_the_flow_of_the_energy_is(rates, green):
     found = verdicts(CANONICAL + rf"The flow of $H$ is $\dot q=p$, ${rates}$.")
     assert found[rates].green == green
+
+
+def test_what_comes_out_of_the_law_in_a_case_follows_from_it():
+    text = r"""The motion is \[ \ddot x=-kx,\qquad\ddot y=-ly . \] When $k=l$, one has two harmonic oscillators
+    \[ \ddot x=-kx,\qquad\ddot y=SIGNky . \]"""
+    assert verdicts(text.replace("SIGN", "-"))[r"\ddot y=-ky"].green
+    found = verdicts(text.replace("SIGN", ""))
+    assert not found[r"\ddot y=ky"].green
