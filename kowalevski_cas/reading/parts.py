@@ -46,6 +46,7 @@ _RETURN = re.compile(
 
 _DEDUCED = re.compile(
     r"\b(?:then|hence|thus|therefore|consequently|so|becomes?|satisf(?:y|ies)|obeys?|described|gives?|gets?|obtains?|finds?|follows?"
+    r"|(?:variational|lineari[sz]ed|reduced|resulting|corresponding)\s+(?:\w+\s+)?(?:equations?|systems?)"
     r"|in\s+(?:the\s+)?\w+\s+(?:axes|frame|coordinates|variables)|reduces?|leads?|transforms?|takes?\s+the\s+form"
     r"|тогда|отсюда|поэтому|следовательно|значит|удовлетвор\w+|получ\w+|принима\w+\s+вид|переход\w+|сводится|описыва\w+)\b",
     re.IGNORECASE,

@@ -152,6 +152,7 @@ OSCILLATOR = r"The motion is \[ \dot x=y,\qquad\dot y=-x . \] "
     [
         (r"Let $u$ be the square of $x$. Then \[ \ddot u=-4u, \] and $\dot u^2+4u^2$ is constant.", True),
         (r"The distance $r$ satisfies \[ \ddot r=-r . \] Therefore $\dot r^2+r^2$ is constant.", True),
+        (r"The variational equations are \[ \dot u=w,\qquad\dot w=-2u . \]", True),
         (r"Let $u$ satisfy \[ \ddot u=-4u . \] Then $\dot u^2+4u^2$ is constant.", False),
         (r"Put $u=x^2$. Then \[ \ddot u=2y^2-2x^2 . \]", False),
         (r"With $u=x+y$ and $v=x-y$ we get \[ \dot u=-v,\qquad\dot v=u . \]", False),
