@@ -32,7 +32,7 @@ _NUMBERS = {
     for number, words in enumerate(
         (
             "first|linear|перв", "second|quadratic|втор|квадратичн", "third|cubic|трет|кубическ",
-            "fourth|четв[её]рт", "fifth|пят", "sixth|шест", "seventh|седьм", "eighth|восьм",
+            "fourth|четверт|четвёрт", "fifth|пят", "sixth|шест", "seventh|седьм", "eighth|восьм",
         ),
         1,
     )

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kowalevski_cas.reading.orders import _NUMBERS, _ORDER
 from tests.reading.test_reading import verdicts
 
 PENDULUM = (
@@ -43,3 +44,16 @@ def test_an_approximation_is_right_to_its_order(words, true):
 def test_what_is_left_out_may_be_wrong(words, true):
     found = verdicts(CUBIC + words + r" $\ddot x=-x$.").get(r"\ddot x=-x")
     assert (found is not None and found.green) == true
+
+
+@pytest.mark.parametrize("spelled", ["четвертого", "четвёртого"])
+def test_an_order_is_read_in_either_spelling(spelled):
+    words = rf"Для малых колебаний $\ddot\theta=-\theta$ с точностью до членов {spelled} порядка."
+    found = verdicts(PENDULUM + words).get(r"\ddot\theta=-\theta")
+    assert found is None or not found.green
+
+
+def test_every_word_for_an_order_is_known_as_it_is_found():
+    for word in _NUMBERS:
+        found = _ORDER.search(f"up to terms of the {word} order")
+        assert found is not None and found["order"].lower() in _NUMBERS
