@@ -1,8 +1,11 @@
 """Approximations hold to the order that is printed, or that words name."""
 
+import random
+
 import pytest
 
 from kowalevski_cas.reading.orders import _NUMBERS, _ORDER
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import verdicts
 
 PENDULUM = (
@@ -57,3 +60,25 @@ def test_every_word_for_an_order_is_known_as_it_is_found():
     for word in _NUMBERS:
         found = _ORDER.search(f"up to terms of the {word} order")
         assert found is not None and found["order"].lower() in _NUMBERS
+
+
+def polynomial(coefficients):
+    return "".join(f"{c:+d}x^{k}" for k, c in coefficients.items() if c) or "0"
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_cut_series_is_green_only_if_all_of_its_orders_are_right(seed):
+    draw = random.Random(seed)
+    law = {1: -1} | {k: draw.choice([-2, -1, 1, 2]) for k in (2, 3, 4)}
+    kept = draw.choice([1, 2, 3])
+    claim = {k: law[k] for k in range(1, kept + 1)}
+    if seed % 2:
+        claim[draw.randint(1, kept)] += draw.choice([1, 3])
+    left_out = draw.choice(["second", "third", "fourth"])
+    highest = max(["second", "third", "fourth"].index(left_out) + 1, kept)
+    right = all(claim.get(k, 0) == law[k] for k in range(1, highest + 1))
+    rate = rf"\ddot x={polynomial(claim)}"
+    text = rf"The motion is \[ \ddot x={polynomial(law)}. \] For small $x$ we have"
+    found = verdicts(rf"{text} ${rate}$ up to terms of the {left_out} order.").get(rate)
+    assert right or found is None or not found.green
+    assert not right or found is not Verdict.REFUTED
