@@ -28,8 +28,18 @@ from kowalevski_cas.audit.followed import tell_steps
 from kowalevski_cas.audit.places import Correspondence
 from kowalevski_cas.audit.scaled import edits_by_scales, tell_scales
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.notation import Edit, Formula, Name, Negative, Number, Power, Relation, edits
-from kowalevski_cas.paper.claims import Claim, RestPoints
+from kowalevski_cas.notation import (
+    Edit,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Relation,
+    edits,
+    to_latex,
+)
+from kowalevski_cas.paper.claims import AllRestPoints, Claim, RestPoint, RestPoints
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
@@ -118,15 +128,18 @@ class ReadingSession:
         return {id: self._told(outcome) for id, outcome in found.items()}
 
     def _leave_exceptions(self, found: dict[str, Outcome]) -> None:
-        """Take the verdict from equations of all states of rest that leave some of these out."""
+        """Take the verdict from lists of all states of rest, if some may be left out."""
         for claim in self.interpretation.derivation.claims:
-            if not (isinstance(claim, RestPoints) and claim.are_all):
+            all_solutions = isinstance(claim, RestPoints) and claim.are_all
+            if not (all_solutions or isinstance(claim, AllRestPoints)):
                 continue
             outcome = found[claim.id]
-            left = {name for one in outcome.conditions for name in one.expression.names()}
-            if outcome.verdict.green and left & {*claim.scene.variables}:
+            left = [one.expression for one in outcome.conditions]
+            moving = {*claim.scene.variables}
+            if outcome.verdict.green and (others := [one for one in left if one.names() & moving]):
+                where = " and ".join(f"${to_latex(one)}=0$" for one in others)
                 found[claim.id] = outcome._replace(
-                    verdict=Verdict.UNDECIDED, message=NOT_ALL, certificate=""
+                    verdict=Verdict.UNDECIDED, message=f"{NOT_ALL}, where {where}", certificate=""
                 )
 
     def _leave_unproved(self, found: dict[str, Outcome]) -> None:
@@ -441,8 +454,13 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     paper, said = reading.paper, reading.parts.said
     judged = [f for f in (*reading.formulas, *reading.statements) if f.claim is not None]
     kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
-    rests = (f for f in judged if isinstance(f.claim, RestPoints) and f.claim.are_all)
-    kinds |= {(f.item.sentence, "all rest") for f in rests}
+    rests = [f for f in judged if isinstance(f.claim, RestPoint | RestPoints)]
+    kinds |= {(f.item.sentence, "rest") for f in rests}
+    kinds |= {
+        (f.item.sentence, "all rest")
+        for f in rests
+        if isinstance(f.claim, RestPoints) and f.claim.are_all
+    }
     covered = [*said.skipped(paper.prose), *(f.span for f in judged if f.span is not None)]
     ends = [0, *(typed.end for _, typed in paper.displays)]
     for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them

@@ -13,6 +13,7 @@ from itertools import groupby
 
 from kowalevski_cas.notation import Name, Number, Product
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.polar import radii
 from kowalevski_cas.reading.statements import SourceStatement
@@ -29,7 +30,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
 
     There are as many new names as variables that are given: else it is a set that they describe.
     """
-    seen = {*law.mentions}
+    seen = {*law.mentions, PI}
     for item in items:
         if item.order <= law.order:  # what implies it stands beside it
             seen |= item.names

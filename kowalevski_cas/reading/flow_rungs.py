@@ -20,6 +20,7 @@ from kowalevski_cas.paper.claims import (
     RestPoints,
     TraceOrDeterminant,
 )
+from kowalevski_cas.reading.angles_at_rest import equations_of_point
 from kowalevski_cas.reading.fixed_points import FIXED, equations_of_fixed_point
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
@@ -135,11 +136,14 @@ def _of_rest(at: RungMaker) -> Iterator[Rung]:
     rest = law_of_points(item, known)
     assert rest is not None
     says = "nothing moves at this point"
+    if at.role.kind == POINT:
+        point = equations_of_point(item, rest, known)
+    else:
+        point = tuple(in_marked_letters(marked(item, rest, known), item, known))
     for assumptions in at.ways():
-        if at.role.kind == POINT:
+        if not point:
             yield at.rung(RestPoint, says, assumptions, (), (item, *rest.rows))
             continue
-        point = tuple(in_marked_letters(marked(item, rest, known), item, known))
         yield at.rung(
             RestPoints, says, assumptions, (), (*point, *rest.rows),
             printed=item.printed, relations=places(point),

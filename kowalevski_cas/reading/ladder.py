@@ -25,6 +25,7 @@ from kowalevski_cas.paper.claims import (
     RestPoints,
 )
 from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.reading.angles_at_rest import up_to_turns
 from kowalevski_cas.reading.brackets import any_function, refuse_idle_brackets
 from kowalevski_cas.reading.canonical import meant
 from kowalevski_cas.reading.cues import cue
@@ -295,11 +296,12 @@ class _Ladder(RungMaker):
         bound, about = self.known.bound, dict[str, Any]()
         own = places((*relations, *bound))
         if kind is RestPoints:
-            law = self.stage.law(self.item, relations)
-            still = velocities_at_rest(relations, law, self.known) if law is not None else []
-            bound, own = [*bound, *still], places(relations)
+            if law := self.stage.law(self.item, relations):
+                bound = [*bound, *velocities_at_rest(relations, law, self.known)]
+                relations = up_to_turns(relations, law, self.known)
+            own = places(relations)
             about = {"given": places(bound)} if bound else {}
-            if solved_by(relations[0], "equilibrium"):
+            if solved_by(self.item, "equilibrium"):
                 about["are_all"], says = True, f"{says}, and only there"
         for assumptions in ways:
             yield self.rung(kind, says, assumptions, bound, relations, relations=own, **about)

@@ -21,6 +21,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import each
+from kowalevski_cas.reading.all_rest import claims_of_all_rest
 from kowalevski_cas.reading.choice import OVERDUE, Choice, Choices, choose_once
 from kowalevski_cas.reading.comments import read_comments
 from kowalevski_cas.reading.constraints import (
@@ -186,13 +187,19 @@ class _DerivationReader:
     def _in_words(self) -> Iterator[JudgedStatement]:
         """The claims that sentences make; one that has no meaning is told with its reason."""
         parts = self.parts
+        listed = [*claims_of_all_rest(parts)]  # which says more than how many there are
+        spans = [range(*one.span) for one in listed]
+        others = [
+            one for one in claims_in_words(parts) if not any(one.span[0] in span for span in spans)
+        ]
         claimed = (
-            *claims_in_words(parts),
+            *others,
             *claims_of_maps(parts),
             *claims_of_energies(parts),
             *claims_of_origins(parts),
             *claims_of_constraints(parts),
             *claims_of_volumes(parts),
+            *listed,
         )
         for number, found in enumerate(claimed, 1):
             first = found.about[0]

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Set
 
 from kowalevski_cas.notation import Formula, Name, Product, Vector, times
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -143,7 +144,7 @@ def coordinates(
         return ()
     found = entries_of(item.members[-1] if item.members else item.formula)
     names = {name for one in found for name in one.names()}
-    new = {name for name in names if not known.is_defined(name) and known.untied([name])}
+    new = {name for name in names - {PI} if not known.is_defined(name) and known.untied([name])}
     explained = not new or (free and len(new) < len(found) and not any(_tying(new, known)))
     whole = len(found) == len(law.variables) and not known.varying(names)
     return found if whole and explained and _is_in_order(law, known) else ()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 
 from kowalevski_cas.notation import Formula, Number, Relation
 from kowalevski_cas.notation.layout import EITHER_SIGN
@@ -90,7 +90,7 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
         if _OR.search(words) or _AND.search(words):
             joined.append("or" if _OR.search(words) else "and")
             lists.append([])
-        elif _left(one) in map(_left, lists[-1]) and not one.derives:  # it has another value
+        elif not one.derives and any(_have_values(one, other) for other in lists[-1]):
             joined.append("or")
             lists.append([])
         lists[-1].append(one)
@@ -107,6 +107,13 @@ def _apart(run: Sequence[SourceStatement], text: str) -> Iterator[SetOfEquations
     yield from map(tuple, found)
 
 
+def _have_values(one: SourceStatement, other: SourceStatement) -> bool:
+    """Whether two equations give one thing its value, so that they are of two sets."""
+    valued = all(isinstance(each.members[-1], Number) for each in (one, other))
+    shared = {*one.bare} & {*other.bare} if valued else {_left(one)} & {_left(other)}
+    return bool(shared)
+
+
 def _are_several(places: str, run: Sequence[SourceStatement]) -> bool:
     """Whether each equation is one of the places that words name; a point has coordinates."""
     one_point = _POINTS.match(places) and len({*map(_left, run)}) == len(run)
@@ -114,10 +121,10 @@ def _are_several(places: str, run: Sequence[SourceStatement]) -> bool:
 
 
 def _differ(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) -> bool:
-    """Whether two lists are of two sets: each has several equations, or they share a left side."""
+    """Whether two lists are of two sets: each has several equations, or both give one thing."""
     if len(one) > 1 and len(other) > 1:
         return True
-    return bool({*map(_left, one)} & {*map(_left, other)})
+    return any(_have_values(*two) for two in product(one, other))
 
 
 def _are_values(one: Sequence[SourceStatement], other: Sequence[SourceStatement]) -> bool:

@@ -18,7 +18,10 @@ LONGEST = 500
 STATES: dict[str, str] = {
     "stability": r"""
         \b(?:un)?stable\b \binstability\b (?:positive|negative)(?:ly)?[\s-]+definite
-        устойчив\w* неустойчив\w+ (?:положительно|отрицательно)[\s-]+определ[её]н\w+""",
+        \bsaddles?\b \bof\s+(?:focus|node|cent(?:re|er))\s+type\b
+        \b(?:is|are|be)\s+(?:an?\s+)?(?:\w+\s+)?(?:cent(?:re|er)s?|foc(?:us|i)|nodes?|spirals?|sinks?|sources?)\b(?!\s+of\b)
+        \bс[её]дл\w+ устойчив\w* неустойчив\w+
+        (?:положительно|отрицательно)[\s-]+определ[её]н\w+""",
     "period": r"""
         \bperiod\s+(?:is|equals|becomes)\b \bperiod\s+(?:of\s+[^.$]*)?\$[^$=]*=
         \bпериод\w*\s+(?:[^.$]*)?\$[^$=]*= \bperiod\s+(?:of\s+)?\$[^$=]*(?:\\pi|\d)
@@ -59,6 +62,7 @@ STATES: dict[str, str] = {
         \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\b[^.;]*\b(?:alone|only|exactly|precisely|requires?|no\s+(?:others?|more|further)|nothing\s+else|that\s+is\s+all|in\s+number|is\s+not)\b
         \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\s+(?:are\s+the\s+(?:two|three|four|five)|form\s+the)\b
         \b(?:exhausts?|complete\s+list|set)\s+(?:of\s+)?(?:the\s+|all\s+)?(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)
+        \b(?:the|its)\s+(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states)|(?:states|points)\s+of\s+rest)(?:\s+of\s+\w+\s+\w+)?\s+are\b(?=[^.;]*\$)
         (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "integral": r"""
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b

@@ -8,6 +8,7 @@ from functools import reduce
 from itertools import chain, product
 from operator import itemgetter, mul
 
+from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.numbers import inverse_of
 from kowalevski_cas.algebra.present import formula_rows
@@ -222,7 +223,8 @@ def rows_of(
     several = len(known) > 1
     rows = complete(combine(goal, known, () if several else main) for goal in goals)
     if rows is not None:
-        return rows, 1
+        over = _are_over_roots(rows, known)
+        return (over and Combinations(goals, known).rows(goals)) or rows, 1
     if not several and not goals[0].ring.roots:
         return None  # division finds all multiples of a polynomial
     made = combinations_of(goals, known)
@@ -237,6 +239,16 @@ def rows_of(
             return rows, power
     rows = complete(map(made.division_row, goals))
     return None if rows is None else (rows, 1)
+
+
+def _are_over_roots(rows: Sequence[Sequence[Element]], known: Sequence[Element]) -> bool:
+    """Whether cofactors are divided by a root that divides what is known: it may vanish there."""
+    flat = Flat(known[0].ring) if known else None
+    return any(
+        entry.denominator and flat is not None and flat.without_roots(one)[0].parts.keys() - {0}
+        for row in rows
+        for entry, one in zip(row, known, strict=True)
+    )
 
 
 def _divides_by_zero(
