@@ -40,10 +40,10 @@ mutants: $(VENV)/.installed ## Change one token at a time: what does an audit no
 	@$(PY) -m study.mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))
 
 test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
-	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")
+	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow and not example") $(if $(JUNIT),--junit-xml="$(JUNIT)")
 
 coverage: $(VENV)/.dev ## Run the tests, and say which lines they run; build/coverage.xml
-	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") --cov --cov-report=term:skip-covered --cov-report=xml:build/coverage.xml
+	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow and not example") --cov --cov-report=term:skip-covered --cov-report=xml:build/coverage.xml
 
 schemas: $(VENV)/.dev ## Check workflows, action, forms and citation by their schemas
 	@$(PY) -m pytest -q tests/test_release.py

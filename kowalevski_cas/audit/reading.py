@@ -39,7 +39,7 @@ from kowalevski_cas.notation import (
     edits,
     to_latex,
 )
-from kowalevski_cas.paper.claims import AllRestPoints, Claim, RestPoint, RestPoints
+from kowalevski_cas.paper.claims import Claim, RestPoint, RestPoints, Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
@@ -131,7 +131,7 @@ class ReadingSession:
         """Take the verdict from lists of all states of rest, if some may be left out."""
         for claim in self.interpretation.derivation.claims:
             all_solutions = isinstance(claim, RestPoints) and claim.are_all
-            if not (all_solutions or isinstance(claim, AllRestPoints)):
+            if not (all_solutions or isinstance(claim, Union)):
                 continue
             outcome = found[claim.id]
             left = [one.expression for one in outcome.conditions]

@@ -8,7 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.paper.claims import AllRestPoints
+from kowalevski_cas.notation import Derivative, to_latex
+from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.angles_at_rest import equations_of_point, up_to_turns
@@ -22,6 +23,7 @@ from kowalevski_cas.reading.rest_points import POINT, law_of_points
 from kowalevski_cas.reading.rung import places
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
 
 SAYS = "nothing else is at rest"
 _NUMBER = re.compile(rf"\b(?:{'|'.join(NUMBERS)})\b", re.IGNORECASE)
@@ -78,23 +80,39 @@ def _of_list(
     """That nothing else is at rest than what a list has, if its number is that of the words."""
     known = parts.of(listed[-1])
     law = law_of_points(listed[-1], known)
-    if law is None or known.untied({name for one in listed for name in one.names - {PI}}):
+    if law is None or not {*law.variables} <= {name for row in law.rows for name in row.rates}:
+        return None  # it is not known what is at rest if nothing moves
+    if known.untied({name for one in listed for name in one.names - {PI}}):
         return None  # a letter may tell the points of a family apart
     points = [*_points(listed, known)]
     if not points or (number and NUMBERS.index(number.lower()) + 1 != len(points)):
         return None
-    still = [one for point in points[:1] for one in velocities_at_rest(point, law, known)]
-    given = [*known.bound, *still]
+    still = velocities_at_rest(points[0], law, known)
+    given = [*nothing_moves(law, listed[-1], known), *known.bound, *still]
     points = [_at(point, law, known) for point in points]
-    values: dict[str, object] = {"points": (*map(places, points),), "given": places(given)}
+    values: dict[str, object] = {"sets": (*map(places, points),), "given": places(given)}
     about = (*law.rows, *(one for point in points for one in point), *given)
-    return InWords(span, AllRestPoints, about, values, "rest", SAYS, listed[-1], law, Doubt.ALWAYS)
+    return InWords(span, Union, about, values, "rest", SAYS, listed[-1], law, Doubt.ALWAYS)
+
+
+def nothing_moves(law: Law, item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """That all derivatives vanish of which equations are printed, and those below them."""
+    found: dict[str, None] = {}
+    for row in law.rows:
+        for node in row.formula.nodes() if row.formula is not None else ():
+            while isinstance(node, Derivative) and {*node.names()} <= {*law.variables}:
+                found[to_latex(node)] = None
+                node = node.argument
+    return [
+        unprinted(known.paper, f"rest-{number}-{item.order}", f"{rate}=0", item, "nothing moves")
+        for number, rate in enumerate(found, 1)
+    ]
 
 
 def _at(point: SetOfEquations, law: Law, known: Known) -> SetOfEquations:
     """The equations of a point or a set, with those of sines and cosines for those of angles."""
     if known.roles[point[0]].kind == POINT:
-        return equations_of_point(point[0], law, known) or point
+        return equations_of_point(point[0], law, known)
     return up_to_turns(point, law, known)
 
 

@@ -30,12 +30,10 @@ def up_to_turns(
 def equations_of_point(
     item: SourceStatement, law: Law, known: Known
 ) -> tuple[SourceStatement, ...]:
-    """The equations of a point that is printed by its coordinates, if some of these are angles."""
+    """The equations of a point that is printed by its coordinates."""
     point = coordinates(item, law, known, free=is_of_family(item))
     values = dict(zip(law.variables, map(to_latex, point), strict=True))
-    equations = equations_of(values, item, law, known)
-    found = up_to_turns(equations, law, known)
-    return () if found == equations else found
+    return up_to_turns(equations_of(values, item, law, known), law, known)
 
 
 def _of_equation(one: SourceStatement, law: Law, known: Known) -> Iterator[SourceStatement]:

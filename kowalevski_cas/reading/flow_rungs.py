@@ -20,7 +20,7 @@ from kowalevski_cas.paper.claims import (
     RestPoints,
     TraceOrDeterminant,
 )
-from kowalevski_cas.reading.angles_at_rest import equations_of_point
+from kowalevski_cas.reading.angles_at_rest import equations_of_point, is_angle
 from kowalevski_cas.reading.fixed_points import FIXED, equations_of_fixed_point
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.law import Law
@@ -136,12 +136,13 @@ def _of_rest(at: RungMaker) -> Iterator[Rung]:
     rest = law_of_points(item, known)
     assert rest is not None
     says = "nothing moves at this point"
-    if at.role.kind == POINT:
-        point = equations_of_point(item, rest, known)
-    else:
+    if at.role.kind == MARKED:
         point = tuple(in_marked_letters(marked(item, rest, known), item, known))
+    else:
+        point = equations_of_point(item, rest, known)
+    angles = any(is_angle(name, rest) for name in rest.variables)
     for assumptions in at.ways():
-        if not point:
+        if at.role.kind == POINT and not angles:
             yield at.rung(RestPoint, says, assumptions, (), (item, *rest.rows))
             continue
         yield at.rung(

@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession, uncovered
-from kowalevski_cas.paper.claims import AllRestPoints
+from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading, verdicts
 
@@ -18,7 +18,7 @@ def of_all(text):
     """What is said of a list that has all that is at rest, and what is told as not covered."""
     found = reading(text)
     session = ReadingSession(found, timeout=5)
-    claims = [one.claim for one in found.statements if isinstance(one.claim, AllRestPoints)]
+    claims = [one.claim for one in found.statements if isinstance(one.claim, Union)]
     return [session.outcomes[claim.id] for claim in claims], uncovered(found)
 
 

@@ -22,7 +22,6 @@ from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
 from kowalevski_cas.paper.claims.eigenvalue import FrequencyEquation as FrequencyEquation
 from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
 from kowalevski_cas.paper.claims.eigenvalue import TraceOrDeterminant as TraceOrDeterminant
-from kowalevski_cas.paper.claims.equilibria import AllRestPoints as AllRestPoints
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
 from kowalevski_cas.paper.claims.equilibria import RestPoint as RestPoint
 from kowalevski_cas.paper.claims.equilibria import RestPoints as RestPoints

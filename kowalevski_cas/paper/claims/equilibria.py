@@ -2,7 +2,7 @@ r"""Equilibria: states of rest, and how many there are for given values of the i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from kowalevski_cas.notation import Name, Relation, Vector
 from kowalevski_cas.paper.claims.claim import Claim
@@ -42,7 +42,16 @@ class RestPoint(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        given = [*coordinates(on, space, self.own), *_velocities(space)]
+        printed = on.texts.formula(self.own)
+        point = members(printed)[-1] if isinstance(printed, Relation) else printed
+        variables = space.scene.variables
+        if not isinstance(point, Vector) or len(point.components) != len(variables):
+            raise Meaningless("a list of all coordinates is expected")
+        given: list[Equation] = [
+            (Name(name), space.plain(value))
+            for name, value in zip(variables, point.components, strict=True)
+        ]
+        given += _velocities(space)
         yield Follows(space, (_rest(space),), (*given, *values_at_zero(given, space)))
 
 
@@ -72,50 +81,6 @@ class RestPoints(Claim):
 
     def establishes(self) -> Iterator[Printed]:
         yield from (self.printed,) if self.printed is not None else self.relations
-
-
-class AllRestPoints(Claim):
-    """Nothing moves but at one of the ``points``: each is a list of coordinates, or equations.
-
-    States of rest satisfy what is ``given`` besides, as constraints of the motion.
-    """
-
-    points: tuple[tuple[Printed, ...], ...]
-    given: tuple[Printed, ...] = ()
-
-    def goals(self, on: Elaborations) -> Iterator[Goal]:
-        space = on(self.scene)
-        rest = [*_rest(space), *_velocities(space), *equations(on, space, self.given)]
-        points = (
-            tuple(equation for one in point for equation in _equations(on, space, one))
-            for point in self.points
-        )
-        yield Follows(space, (*points,), (*rest,))
-
-
-def coordinates(on: Elaborations, space: Elaboration, point: Printed) -> list[Equation]:
-    """What the coordinates of a space are at a point, a list or an equation that ends with it.
-
-    Raises:
-        Meaningless: it is no list of all of them.
-    """
-    printed = on.texts.formula(point)
-    values = members(printed)[-1] if isinstance(printed, Relation) else printed
-    variables = space.scene.variables
-    if not isinstance(values, Vector) or len(values.components) != len(variables):
-        raise Meaningless("a list of all coordinates is expected")
-    return [
-        (Name(name), space.plain(value))
-        for name, value in zip(variables, values.components, strict=True)
-    ]
-
-
-def _equations(on: Elaborations, space: Elaboration, point: Printed) -> Iterable[Equation]:
-    """The equations of a point that is a list of coordinates, or of a set that one defines."""
-    printed = on.texts.formula(point)
-    last = members(printed)[-1] if isinstance(printed, Relation) else printed
-    is_point = isinstance(last, Vector)
-    return coordinates(on, space, point) if is_point else equations(on, space, (point,))
 
 
 def _rest(space: Elaboration) -> tuple[Equation, ...]:
