@@ -31,7 +31,12 @@ from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.polar import ANGLES
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.two_energies import is_named, potential_energy, two_energies
+from kowalevski_cas.reading.two_energies import (
+    has_squares_of_rates,
+    is_named,
+    potential_energy,
+    two_energies,
+)
 from kowalevski_cas.reading.unprinted import (
     gives_lagrangian,
     is_of_momenta,
@@ -55,13 +60,18 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
         for item in known.items:
             said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
             said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
+            doubt = (
+                Doubt.UNLESS_MENDED if said else Doubt.ALWAYS
+            )  # the letter alone may be another's
             said = said or _is_deduced(laws[0], item)
             if said and _gives_energy(item, laws[0], known):
-                yield from _claims(item, laws[0], known, parts, place)
+                yield from _claims(item, laws[0], known, parts, place, doubt)
         if (pair := two_energies(known.items)) is not None:
             yield from _of_two(*pair, laws[0], parts)
         elif (potential := potential_energy(known.items)) is not None:
             yield from _of_potential(potential, laws[0], parts)
+        if all(map(_is_acceleration, laws[0].rows)):
+            yield from _of_total(laws[0], known)
 
 
 def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
@@ -69,11 +79,25 @@ def _is_of_sentence(law: Law, item: SourceStatement) -> bool:
     return all(row.sentence == item.sentence and row.order > item.order for row in law.rows)
 
 
+_EQUATIONS = re.compile(
+    r"\b(?:Hamilton|canonical|Lagrange|Euler)\S*\s+(?:\w+\s+)?equations?\b|\bequations?\s+of\s+motion\b"
+    r"|\b(?:leads?\s+to|gives?|yields?)[\s~:]*$"
+    r"|\bуравнени\w+\s+(?:движения|Гамильтона|Лагранжа)\b",
+    re.IGNORECASE,
+)
+"""Words for equations that an energy has."""
+
+
 def _is_deduced(law: Law, item: SourceStatement) -> bool:
-    """Whether words deduce a law from what stands before it in its paragraph, as a Hamiltonian."""
+    """Whether words deduce a law from what stands before it in its paragraph, as a Hamiltonian.
+
+    So do those that call it the equations of motion.
+    """
     behind = item.order < law.first.order and law.first.paragraph == item.paragraph
-    named = item.bare[:1] and item.bare[0] in HAMILTONIANS
-    return bool(named and behind and cue("deduced", f"{law.first.before} "))
+    named = item.bare[:1] and item.bare[0] in (*HAMILTONIANS, *LAGRANGIANS)
+    words = f"{law.first.before} "
+    deduced = any(cue(name, words) for name in ("deduced", "then")) or _EQUATIONS.search(words)
+    return bool(named and behind and deduced)
 
 
 _CALLED = re.compile(
@@ -102,7 +126,7 @@ def _gives_energy(item: SourceStatement, law: Law, known: Known) -> bool:
 
 
 def _claims(
-    item: SourceStatement, law: Law, known: Known, parts: Parts, place: int
+    item: SourceStatement, law: Law, known: Known, parts: Parts, place: int, doubt: Doubt
 ) -> Iterator[InWords]:
     """The claims that a law is that of one energy."""
     if not all(map(is_printed, law.rows)) or _have_more((item,), law, known):
@@ -121,7 +145,7 @@ def _claims(
         yield InWords(
             span, FirstIntegral, (item,), integral, OF_ENERGY, says, item, law, Doubt.ALWAYS
         )
-    yield from _each(rows, item, law, parts)
+    yield from _each(rows, item, law, parts, doubt)
 
 
 def _is_of_this_law(item: SourceStatement, law: Law, known: Known) -> bool:
@@ -149,6 +173,36 @@ def _each(
         parts.places[found] = parts.places[item]
         values: dict[str, object] = {"printed": found.printed}
         yield InWords(span, Identity, (found,), values, OF_ENERGY, SAYS, item, doubt=doubt)
+
+
+_TOTAL = re.compile(
+    r"(?<!kinetic\s)(?<!potential\s)\benergy(?:\s+(?:of|per)\s+(?:\w+\s+){1,3}?)?[\s~]*(?:(?:is|be|reads?|integral)[\s~]*)*$",
+    re.IGNORECASE,
+)
+_BE_TOTAL = re.compile(
+    r"[\s,~]*(?:be|is|denotes?)\s+(?:its|the|our)\s+(?:\w+\s+)?energy\b", re.IGNORECASE
+)
+"""Words before, or behind, what they call the energy."""
+
+
+def _of_total(law: Law, known: Known) -> Iterator[InWords]:
+    """That what words call the energy is constant, where each row gives an acceleration by places.
+
+    A definition says what it is; that it is the energy of this law is claimed by these words.
+    """
+    for item in known.items:
+        named = (_TOTAL.search(item.lead) or _BE_TOTAL.match(item.tail)) and item.bare[:1]
+        if not named or known.roles[item].name != DEFINITION or not has_squares_of_rates(item):
+            continue
+        below = {inner for name in item.names for inner in known.below(name)}
+        acting = {inner for name in law.mentions for inner in known.below(name)}
+        rated = known.names.scalars(item.rates)
+        mine = {*rated} <= {*law.variables} and "t" not in below | acting
+        if not mine or _have_more((item,), law, known):
+            continue
+        span, says = (item.typed.start, item.typed.end), "this is constant along every motion"
+        value: dict[str, object] = {"printed": item.printed}
+        yield InWords(span, FirstIntegral, (item,), value, OF_ENERGY, says, item, law, Doubt.ALWAYS)
 
 
 def _of_two(

@@ -46,7 +46,6 @@ def test_a_row_with_another_sign_is_blamed():
     [
         LAGRANGIAN % r"-c(u-v)-b-n\dot u",  # another force has a constant of its own
         LAGRANGIAN.replace("The equations", "There is friction. The equations") % "-c(u-v)",
-        LAGRANGIAN.replace("The Lagrangian is", "Here is") % "-c(u-v)",
     ],
 )
 def test_where_more_may_act_nothing_is_claimed(more):
@@ -283,3 +282,67 @@ def test_accelerations_are_those_of_a_potential(text, right):
     told = [one for one in found.statements if one.claim and one.role.kind == "energy"]
     assert [outcomes[one.claim.id].verdict.green for one in told] == right
     assert not any(outcomes[one.claim.id].verdict is Verdict.REFUTED for one in told)
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (
+            r"Let $H=\frac12p^2+\frac14q^4$. Hamilton's equations are $\dot q=p$, $\dot p=§$.",
+            "-q^3",
+            "q^3",
+        ),
+        (r"Let $H=\frac12p^2+\frac14q^4$. Then $\dot q=p$, $\dot p=§$.", "-q^3", "q^3"),
+        (
+            r"The energy is $H=\frac12p^2+\frac12q^2$, the equations of motion read $\dot q=p$, $\dot p=§$.",
+            "-q",
+            "q",
+        ),
+        (r"Let $L=\frac12\dot q^2-\frac12q^2$. The equation of motion is $\ddot q=§$.", "-q", "q"),
+        (
+            r"Let $E=\frac12\dot q^2+\frac12q^2$ be the energy. The motion is $\ddot q=§$.",
+            "-q",
+            "q",
+        ),
+        (
+            r"A mass moves by \[ m\ddot x=-kx. \] The energy is $E=\frac12m\dot x^2+§$.",
+            r"\frac12kx^2",
+            "kx^2",
+        ),
+        (
+            r"Let $\ddot q_1=-e^{q_1-q_2}$, $\ddot q_2=e^{q_1-q_2}$. The energy is "
+            r"$H=\frac12(\dot q_1^2+\dot q_2^2)§e^{q_1-q_2}$.",
+            "+",
+            "-",
+        ),
+        (
+            r"A point moves by \[ \ddot{\mathbf r}=-\mu\mathbf r/r^3. \] "
+            r"The energy is $h=\frac12\dot{\mathbf r}^2§\frac\mu r$.",
+            "-",
+            "+",
+        ),
+    ],
+)
+def test_equations_behind_an_energy_are_its_own_and_an_energy_behind_equations_theirs(
+    text, right, wrong
+):
+    assert [one.verdict.green for one in ends(text.replace("§", right))].count(False) == 0
+    assert not all(one.verdict.green for one in ends(text.replace("§", wrong)))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Let $L=\frac12\dot q^2-\frac12q^2$. With friction the equation of motion is $\ddot q=-q-k\dot q$.",
+        r"Let $E=\frac12\dot q^2+\frac12q^2$ be the energy. The motion is $\ddot q=-q-k\dot q$.",
+        r"A mass moves by \[ m\ddot x=-kx. \] The kinetic energy is $E=\frac12m\dot x^2$.",
+        r"A mass moves by \[ m\ddot x=-kx+f. \] The energy of the spring is $E=\frac12m\dot x^2+\frac12kx^2$.",
+    ],
+)
+def test_what_has_more_is_not_compared(text):
+    assert not ends(text)
+
+
+def test_of_a_letter_that_no_words_call_so_nothing_is_red():
+    [first, _] = ends(LAGRANGIAN.replace("The Lagrangian is", "Here is") % "-c(u-v)")
+    assert first.verdict is Verdict.UNDECIDED
