@@ -48,10 +48,16 @@ from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free
-from kowalevski_cas.reading.linear_parts import KIND
+from kowalevski_cas.reading.linear_parts import KIND, fewer_eigenvalues
 from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY
-from kowalevski_cas.reading.uncovered import OF_LAW, Uncovered, passage_at, sentences
+from kowalevski_cas.reading.uncovered import (
+    ALL_EIGENVALUES,
+    OF_LAW,
+    Uncovered,
+    passage_at,
+    sentences,
+)
 from kowalevski_cas.source.text import Region
 from kowalevski_cas.verify.blame import Blame
 from kowalevski_cas.verify.certificate import Stored
@@ -470,6 +476,12 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     left += [
         (row.sentence, passage_at(row.sentence, OF_LAW, paper.source, paper.expanded))
         for row in reading.parts.deduced()
+    ]
+    left += [
+        (span, passage_at(span, ALL_EIGENVALUES, paper.source, paper.expanded))
+        for span in fewer_eigenvalues(
+            [f.item for f in judged if f.role.kind == KIND], reading.parts.of
+        )
     ]
     left.sort(key=lambda one: one[0])
     return [*dict(reversed(left)).values()][::-1]

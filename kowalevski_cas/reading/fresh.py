@@ -201,7 +201,9 @@ def _gives(name: str, item: SourceStatement, known: Known) -> bool:
     return alone and bool(moving) and not item.typed.inline and not item.derives
 
 
-_FOR = re.compile(r"\W*(?:for|with|для)\W*", re.IGNORECASE)
+_FOR = re.compile(
+    r"\W*(?:(?:(?:holds?|is\s+(?:true|valid|satisfied|so))\W+)?(?:for|with|для)\W*)?", re.IGNORECASE
+)
 """All that stands before what says what a name was, as in “the rate vanishes for F=x²”."""
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Name, Relation, Vector, to_latex
 from kowalevski_cas.paper.transcendental import PI
@@ -431,3 +432,18 @@ def equations_of(
         )
         for number, (name, value) in enumerate(values.items(), 1)
     )
+
+
+_ARE_ALL = re.compile(rf"\b(?:the|its|their)\s+{_VALUES}.*\bare\b|^\W*{_VALUES}", re.IGNORECASE)
+"""Words for all eigenvalues of a linear part."""
+
+
+def fewer_eigenvalues(
+    items: Sequence[SourceStatement], known_at: Callable[[SourceStatement], Known]
+) -> Iterator[tuple[int, int]]:
+    """The sentences that list eigenvalues as all that there are, and have fewer than the law."""
+    for sentence, many in Counter(item.sentence for item in items).items():
+        item = next(one for one in items if one.sentence == sentence)
+        law = law_of_points(item, known_at(item))
+        if law and many < sum(law.orders.values()) and _ARE_ALL.search(item.words):
+            yield sentence

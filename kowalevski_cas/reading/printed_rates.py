@@ -191,7 +191,24 @@ class PrintedRates:
         name = length_given(item) or item.bare[0]
         rated = [row for row in self.rows if row.order < item.order and name in row.rates]
         timed = bool(rated) and "t" in item.names  # it is a solution
-        return not timed and not any(row.section in item.sections for row in rated)
+        if timed or self._explains(item, rated):
+            return not timed
+        return not any(row.section in item.sections for row in rated)
+
+    def _explains(self, item: SourceStatement, rated: Sequence[SourceStatement]) -> bool:
+        r"""Whether a statement says what it is of which rates stand right before it.
+
+        So it is in :math:`\dot E=-2ky^2` for :math:`E=x^2+y^2`, where it is known how x and y move.
+        """
+        if not rated or not all(_is_right_before(row, item) for row in rated):
+            return False
+        if any(row.rates[item.bare[0]] > 1 for row in rated):
+            return False  # it may be a constraint
+        inside = {id(row.typed) for row in rated}
+        before = (row for row in self.rows if row.order < rated[0].order)
+        known = {n for row in before if id(row.typed) not in inside for n in self.scalars(row)}
+        moving = self.rated & {*self.names.scalars(item.members[1].names())}
+        return bool(moving) and moving <= known - {*self.scalars(rated[0])}
 
     def relates(self, one: SourceStatement, row: SourceStatement, moving: Collection[str]) -> bool:
         """Whether an equation before a row gives what the row derives by what moves already."""
@@ -368,8 +385,17 @@ def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
     return alone and bool(_MOVES.search(row.lead)) and not cue("integral", row.words)
 
 
+_HERE = re.compile(r"\s*(?:here|where|with|здесь|где)\b[\s,~]*$", re.IGNORECASE)
+
+
+def _is_right_before(row: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a row stands in the sentence of a statement, or the one before, as words say."""
+    near = row.sentence == item.sentence
+    return near or (row.order + 1 == item.order and _HERE.match(item.lead) is not None)
+
+
 def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:
-    """Whether two statements are rows of one display, the second right behind the first."""
-    return (
-        not one.typed.inline and one.typed.kind == other.typed.kind and not other.lead.strip(" ,;")
-    )
+    """Whether two statements are rows of one display, or of one list, side by side."""
+    alike = one.typed.inline == other.typed.inline and one.typed.kind == other.typed.kind
+    words = other.lead.strip(" ,;~")
+    return alike and (not words or (one.typed.inline and words in ("and", "и")))

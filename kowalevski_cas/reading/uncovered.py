@@ -96,7 +96,7 @@ STATES: dict[str, str] = {
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
     "degree": r"""
-        \b(?:linear|quadratic|cubic|quartic|polynomial|rational|elliptic|homogeneous)\b
+        \b(?:linear|quadratic|cubic|quartic|(?<!characteristic\s)polynomial|rational|elliptic|homogeneous)\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
         эллиптическ\w+""",
     "limit": r"""
@@ -113,6 +113,9 @@ ALONE = (
     "motion", "independence", "otherwise", "all rest",
 )  # fmt: skip
 """The kinds that no claim of a formula states: they are told beside what is judged, too."""
+
+ALL_EIGENVALUES = "all eigenvalues: “eigenvalues are”"
+"""What is told of a list of eigenvalues with fewer than there are."""
 
 OF_LAW = "law: “equations for new letters”"
 """What is told of equations of motion in letters that nothing ties to those before."""
