@@ -7,7 +7,7 @@ would be something else, which is refused.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 
 from kowalevski_cas.notation import NotationError, defined_names
@@ -192,6 +192,38 @@ def _stands_alone(name: str, by: str, texts: Iterable[str]) -> bool:
     if any(_PRIMED.match(rest) for rest in behind) or len(called) == len(behind):
         return False
     return all(one is not None and one["by"].strip() == by for one in called)
+
+
+_LETTER = r"(?:[A-Za-z]|\\[A-Za-z]+)"
+_PRIMED = re.compile(
+    rf"(?<![A-Za-z\\])(?P<name>{_LETTER})'+\s*(?:\\left\s*)?\(\s*(?P<by>{_LETTER})\s*(?:\\right\s*)?\)"
+)
+
+
+def with_arguments(texts: Sequence[str]) -> Iterator[str]:
+    r"""Formulas, in which what gives a function has its argument, if that stands at a derivative.
+
+    So :math:`U=\cos\theta` gives :math:`U(\theta)`, beside :math:`U'(\theta)`. A function that is
+    printed at arguments itself has them.
+
+    >>> [*with_arguments([r"U=\theta^2", r"U'(\theta)=2\theta"])]
+    ['U(\\theta)=\\theta^2', "U'(\\theta)=2\\theta"]
+    """
+    found: dict[str, set[str]] = {}
+    for tex in texts:
+        for one in _PRIMED.finditer(tex):
+            found.setdefault(one["name"], set()).add(one["by"])
+    for name, by in [*found.items()]:
+        applied = re.compile(rf"(?<![A-Za-z\\]){re.escape(name)}\s*(?:\\left\s*)?\(")
+        if len(by) > 1 or any(map(applied.search, texts)):
+            del found[name]
+    for tex in texts:
+        for name, (argument,) in found.items():
+            if re.search(rf"{re.escape(argument)}(?![A-Za-z])", tex):
+                first = rf"((?:^|[,&]|\\q?quad|\\\\)\s*{re.escape(name)})(?=\s*&?\s*=)"
+                at = argument.replace("\\", r"\\")
+                tex = re.sub(first, rf"\1({at})", tex)
+        yield tex
 
 
 def without_arguments(tex: str, known: Mapping[str, str]) -> str:

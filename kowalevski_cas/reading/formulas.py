@@ -25,7 +25,12 @@ from kowalevski_cas.notation.layout import statements as placed
 from kowalevski_cas.notation.open import OpenParser, is_exponential
 from kowalevski_cas.notation.primed import primed_names, primed_vectors
 from kowalevski_cas.notation.symbol import BOLD
-from kowalevski_cas.paper.applied import functions_of, printed_arguments, without_arguments
+from kowalevski_cas.paper.applied import (
+    functions_of,
+    printed_arguments,
+    with_arguments,
+    without_arguments,
+)
 from kowalevski_cas.paper.chains import without_new_names
 from kowalevski_cas.paper.initial_values import names_under_dots, without_initial_values
 from kowalevski_cas.paper.names import head
@@ -60,6 +65,13 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         tex = with_divergence(without_integral(tex), texts)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def with_printed_arguments(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
+    """The formulas, in which functions have the arguments at which derivatives of them stand."""
+    texts = [formula.tex for formula in formulas]
+    for formula, tex in zip(formulas, with_arguments(texts), strict=True):
         yield formula if tex == formula.tex else replace(formula, tex=tex)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Name, Number, PoissonBracket, Sum, Vector
+from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Sum, Vector
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.amplitudes import UNIT
 from kowalevski_cas.reading.areas import completes_law, is_of_areas
@@ -115,6 +115,8 @@ class PrintedRates:
         ]
         rated = {name for row in rows for name in row.rates}
         given = rated | paper.functions_by_name.keys()
+        fields = {name for row in rows for name in row.bare[:1] if _is_rate_by(name, row)}
+        given |= {name for name in fields if _is_given_by(name, rated, items)}
         rows = [
             row
             for row in rows
@@ -383,6 +385,20 @@ def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
         return True
     alone = all(one.rates.keys().isdisjoint(row.rates) for one in others)
     return alone and bool(_MOVES.search(row.lead)) and not cue("integral", row.words)
+
+
+def _is_rate_by(name: str, row: SourceStatement) -> bool:
+    """Whether a row is a rate alone that is a name."""
+    match row.members:
+        case (Derivative(), Name(other)):
+            return name == other
+    return False
+
+
+def _is_given_by(name: str, moving: set[str], items: Sequence[SourceStatement]) -> bool:
+    """Whether a statement gives a name by what moves: it is a field then, as f in f=x-x^3."""
+    giving = (one for one in items if one.members[:1] == (Name(name),) and len(one.members) == 2)
+    return any(not one.rates and one.names & moving and "t" not in one.names for one in giving)
 
 
 _HERE = re.compile(r"\s*(?:here|where|with|здесь|где)\b[\s,~]*$", re.IGNORECASE)

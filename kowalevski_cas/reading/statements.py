@@ -29,7 +29,13 @@ from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.derivations import with_derivations
 from kowalevski_cas.reading.elements import with_elements
 from kowalevski_cas.reading.ellipses import without_ellipses
-from kowalevski_cas.reading.formulas import by_names, read_formula, vocabulary_of, without_maps
+from kowalevski_cas.reading.formulas import (
+    by_names,
+    read_formula,
+    vocabulary_of,
+    with_printed_arguments,
+    without_maps,
+)
 from kowalevski_cas.reading.free_functions import (
     free_functions,
     names_of,
@@ -345,7 +351,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     counted = [*without_ellipses(with_counts(typed, numbers))]
     several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
-    typed = [*with_derivations(typed, expanded.text)]
+    typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
     functions = free_functions(printed, expanded.text)
