@@ -111,6 +111,9 @@ def supposing(item: SourceStatement) -> str:
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
     said = cue("suppose", before) if joined and before else ""
+    behind = before.rpartition(said.strip())[2] if said else ""
+    if cue("deduced", behind) or cue("then", behind):
+        return ""  # what is supposed has ended: “with § we have § and §”
     apart = not item.typed.inline and _ASIDE.search(before) is not None
     return "" if apart and not cue("then", item.tail[:12]) else said
 
