@@ -7,7 +7,7 @@ what stands further off is no part of it. Under a condition in its sentence it i
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Name
@@ -168,7 +168,10 @@ def _made(
     if name == "invariant":
         yield from filter(None, [_invariant(span, cited, known)])
         return
-    listed = [*functions_of(every, known)]
+    given = [o for head, own in known.definitions.items() if head.startswith(BRACKET) for o in own]
+    brackets = (*(one for one in given if one.typed.start < inside[1]),) or (*given,)
+    moved = {name for one in brackets for name in one.members[0].names()}
+    listed = [*functions_of(every, known, moved)]
     functions = tuple(dict.fromkeys(listed))
     places = tuple(one.printed for one in functions)
     if len(listed) < len(every) or len(functions) < (1 if name == "casimir" else 2):
@@ -178,9 +181,6 @@ def _made(
     if name == "independence":
         yield from filter(None, [_independent(span, functions, text[slice(*span)])])
         return
-    brackets = tuple(
-        one for head, own in known.definitions.items() if head.startswith(BRACKET) for one in own
-    )
     if brackets and name == "involution":
         says = "the brackets of these functions with each other vanish"
         about = (*functions, *brackets)
@@ -192,8 +192,12 @@ def _made(
             yield InWords(span, Casimir, (one, *brackets), values, name, says)
 
 
-def functions_of(items: Sequence[SourceStatement], known: Known) -> Iterator[SourceStatement]:
+def functions_of(
+    items: Sequence[SourceStatement], known: Known, moved: Set[str] = frozenset()
+) -> Iterator[SourceStatement]:
     """What defines or prints the functions that some statements name, of what moves.
+
+    So do the names that are ``moved`` by brackets, if by no law.
 
     Brackets with what is made of names that nothing explains vanish, which says nothing.
     """
@@ -201,9 +205,13 @@ def functions_of(items: Sequence[SourceStatement], known: Known) -> Iterator[Sou
         if isinstance(item.formula, Name):
             by = known.definition(item.formula.name, item)
             if by is not None and by.members and by.members[0] == item.formula:
-                if known.varying(by.names - item.names):
+                if known.varying(by.names - item.names) or moved & by.names:
                     yield by
-        elif item.formula is not None and known.varying(item.names) and not item.derives:
+        elif (
+            item.formula is not None
+            and not item.derives
+            and (known.varying(item.names) or moved & item.names)
+        ):
             role = known.roles.get(item)
             if not item.members or (role is not None and _names_first(item, role)):
                 yield item

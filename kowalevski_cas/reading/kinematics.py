@@ -70,7 +70,7 @@ def refuse_dynamics(law: Law, item: SourceStatement, known: Known) -> None:
     role = known.roles.get(item)
     kinematic = role is not None and role.name == CLAIM and role.kind == "identity"
     formula = item.formula
-    if kinematic and not item.derives and _has_bracket(formula):
+    if kinematic and not item.derives and has_bracket(formula):
         return
     if kinematic and isinstance(formula, Relation):
         sides = [{n for own in m.names() for n in known.below(own)} for m in formula.members]
@@ -85,7 +85,7 @@ def refuse_dynamics(law: Law, item: SourceStatement, known: Known) -> None:
     raise ValueError(f"no equation says how ${name}$ moves")
 
 
-def _has_bracket(formula: Formula | None) -> bool:
+def has_bracket(formula: Formula | None) -> bool:
     """Whether something is said of brackets: that is so whatever moves."""
     nodes = formula.nodes() if formula is not None else ()
     return any(isinstance(node, PoissonBracket) for node in nodes)

@@ -41,7 +41,7 @@ from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
 from kowalevski_cas.reading.free_functions import TIME, names_of, with_free_functions
-from kowalevski_cas.reading.kinematics import is_free, refuse_dynamics
+from kowalevski_cas.reading.kinematics import has_bracket, is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.other_numbers import other_number
@@ -277,8 +277,18 @@ class Stage:
                 own = function not in FAMILY_OF or function in self.known.definitions
                 found |= {function} if own else set()
             elif isinstance(node, PoissonBracket):
-                found |= {name for name in self.known.definitions if name.startswith(BRACKET)}
+                found |= self._brackets_at(item)
         return sorted(found)
+
+    def _brackets_at(self, item: SourceStatement) -> set[str]:
+        """The brackets that are given where a statement stands: not those of later sections."""
+        given = {n: of for n, of in self.known.definitions.items() if n.startswith(BRACKET)}
+        here = {
+            name
+            for name, of in given.items()
+            if any(one.order <= item.order or one.section in item.sections for one in of)
+        }
+        return here or {*given}
 
     def law(self, at: SourceStatement, items: Sequence[SourceStatement]) -> Law | None:
         """The law of some statements: one that is cited, or the latest that moves their names."""
@@ -312,7 +322,8 @@ class Stage:
                 raise ValueError("no equation says how what is derived moves")
             return None
         if is_free(law):
-            refuse_dynamics(law, at, known)
+            if not any(has_bracket(one.formula) for one in items if one is not at):
+                refuse_dynamics(law, at, known)  # of brackets it is so whatever moves
             return law
         refuse_unsaid_forces(law, at, known)
         return self._restated(law, at)
