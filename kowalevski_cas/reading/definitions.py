@@ -406,6 +406,18 @@ def _integral_further_off(item: SourceStatement, known: Known) -> str:
     return integral_words(before[0]) if integrals else ""
 
 
+_OF_FUNCTION = re.compile(
+    r"\b(?:functions?|polynomials?|expressions?|quantit(?:y|ies)|функци\w+)[\s~:]*$", re.IGNORECASE
+)
+_INVARIANT = re.compile(r"[\s,~]*is\s+(?:\w+\s+)?invariant\s+under\b", re.IGNORECASE)
+
+
+def _invariant(item: SourceStatement) -> str:
+    """The words behind that call a function invariant under a map, or a flow."""
+    found = _INVARIANT.match(item.tail) if _OF_FUNCTION.search(item.lead) else None
+    return found[0].strip() if found else ""
+
+
 def _integral_that_defines(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
@@ -413,7 +425,7 @@ def _integral_that_defines(
 
     A theorem claims it itself; its rate is the proof.
     """
-    said = integral_words(item) or _integral_further_off(item, known)
+    said = integral_words(item) or _integral_further_off(item, known) or _invariant(item)
     moves = known.varying(item.names - {*fresh}) or item.derives
     if not said or not moves or cue("where", item.lead):
         return None

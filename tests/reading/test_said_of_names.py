@@ -160,3 +160,10 @@ def test_words_between_commas_say_nothing(aside, name, green):
         one.green
         for one in verdicts(FREE + f"The function ${name}$ is{aside} an integral.").values()
     ] == [green]
+
+
+@pytest.mark.parametrize(("function", "green"), [("x^2+y^2", True), ("x^2-y^2", False)])
+def test_a_function_that_is_invariant_under_a_map_is_named_there(function, green):
+    text = rf"""Consider the map $\Phi$, \[ x'=y,\qquad y'=-x. \]
+    The function \[ I={function} \] is invariant under $\Phi$."""
+    assert verdicts(text)[f"I={function}"].green == green
