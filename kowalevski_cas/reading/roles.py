@@ -300,6 +300,21 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_HAPPENS = r"(?:takes?\s+place|occurs?|arises?|happens?|имеет\s+место|возника\w+|происходит)"
+_HAPPENS_BEHIND = re.compile(rf"[\s,~]*{_HAPPENS}\b", re.IGNORECASE)
+_HAPPENS_BEFORE = re.compile(
+    rf"\b{_HAPPENS}(?:\s+(?:only|just|exactly|precisely|только|лишь))?\s+(?:if|when|for|at|если|когда|при)[\s:~]*$",
+    re.IGNORECASE,
+)
+
+
+def happening(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What words say to happen, or on which condition something does: it is not supposed so."""
+    if item.members and (_HAPPENS_BEHIND.match(item.tail) or _HAPPENS_BEFORE.search(item.lead)):
+        return StatementRole(OTHER, "words say when something happens: it is not supposed", "asked")
+    return None
+
+
 _ASKS = re.compile(
     r"\bwhether\b[^§.;]*$|\bask\w*\s+(?:when|if)\b[^§.;]*$|,\s*ли\b[^§.;]*$", re.IGNORECASE
 )
@@ -414,7 +429,7 @@ RULES: tuple[Rule, ...] = (
     unread, barred, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
     expression, named_set, law, partial_equation, radius, solved, constraint, reaction, together,
     unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words,
-    kept, unknown, repeated, gives_derivative, special_function, change, roots, by_steps,
+    happening, kept, unknown, repeated, gives_derivative, special_function, change, roots, by_steps,
     claimed_set, point, tried, of_roots_spoken_of, solution, constant_of_solution, energy, momentum,
     of_place, on_place, of_levels, one_of_several, definition, square, assumption, value,
     approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,

@@ -27,6 +27,13 @@ FOUND = "an inequality that words say to be found"
 """Why an inequality is claimed that may hold with less than it says, as where nothing moves."""
 
 
+_ALWAYS = re.compile(
+    r"\b(?:always|evidently|clearly|obviously|всегда|очевидно)[\s,~]*$", re.IGNORECASE
+)
+_SINCE = re.compile(r"[\s,~]*(?:since|because|as|так\s+как|поскольку|ибо)\b[\s~]*$", re.IGNORECASE)
+"""Words before, or behind, what is claimed of constants that are given."""
+
+
 def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
     """What says that something is larger, or is not; of what moves it is claimed, as a rule."""
     if item.members:
@@ -53,6 +60,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         claimed = claimed and not _is_in_apposition(item)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
         claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
+        given = any(known.is_defined(name) for name in item.names)
+        claimed = claimed or (given and bool(_ALWAYS.search(item.lead) or _SINCE.match(item.tail)))
         if not claimed and _is_concluded(item):
             return StatementRole(CLAIM, FOUND, "inequality")
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)

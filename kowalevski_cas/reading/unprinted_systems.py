@@ -287,6 +287,8 @@ def of_another_system(item: SourceStatement, known: Known) -> str:
     laws = [law for law in known.laws if law.order <= item.order]
     if not laws or any(one in law.rows for law in laws for one in known.cited(item)):
         return ""
+    if _is_of_its_constants(item, known):
+        return ""
     if said := _behind_related_law(item, known):
         return said
     end = max(row.sentence[1] for law in laws for row in law.rows)
@@ -299,6 +301,15 @@ def of_another_system(item: SourceStatement, known: Known) -> str:
     if told and not _BACK.search(item.words):
         return told
     return _said(own, around, laws, known)
+
+
+def _is_of_its_constants(item: SourceStatement, known: Known) -> bool:
+    """Whether nothing moves in an equation, and its sentence gives what is compared in it."""
+    if item.derives or known.varying(item.names):
+        return False
+    given = {name: known.definition(name, item) for name in item.names if known.is_defined(name)}
+    here = (one is not None and one.sentence == item.sentence for one in given.values())
+    return bool(given) and any(here)
 
 
 def _named_so(item: SourceStatement, known: Known, end: int) -> str:
