@@ -33,7 +33,7 @@ from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
 from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.kept import constancy
-from kowalevski_cas.reading.momenta_of_energies import OF_LAGRANGIAN, equation_of_momentum
+from kowalevski_cas.reading.momenta_of_energies import OF_COORDINATE, equation_of_momentum
 from kowalevski_cas.reading.motion_rungs import along_solution, of_motion, solutions, to_some_order
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
@@ -357,9 +357,9 @@ class _Ladder(RungMaker):
             yield self.rung(Identity, says, assumptions, (), (self.item, by), there)
 
     def of_momentum(self) -> Iterator[Rung]:
-        """That a momentum is the derivative of the Lagrangian by a velocity."""
+        """That a momentum is the one of its coordinate."""
         by = equation_of_momentum(self.item, self.known)
-        says = "this is the momentum by the Lagrangian"
+        says = "this is the momentum of its coordinate"
         for assumptions in self.suppositions():
             items = (self.item, by)
             yield self.rung(Identity, says, assumptions, (), items, printed=by.printed)
@@ -377,6 +377,6 @@ class _Ladder(RungMaker):
 _BY_WORDS = {
     "energy": _Ladder.of_energy,
     OF_ROOTS: _Ladder.of_roots,
-    OF_LAGRANGIAN: _Ladder.of_momentum,
+    OF_COORDINATE: _Ladder.of_momentum,
 }
 """What is claimed of what words name, by the kind of its role."""

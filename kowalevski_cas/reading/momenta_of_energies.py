@@ -1,16 +1,18 @@
-r"""Momenta by a Lagrangian: :math:`p_x` is :math:`\partial L/\partial\dot x`.
+r"""Momenta of coordinates: :math:`p_x` is :math:`\partial L/\partial\dot x`.
 
-What words call a momentum has its name by its equation, and that it belongs to the Lagrangian is
+In new coordinates it is :math:`p_\xi=p_x\,\partial x/\partial\xi+p_y\,\partial y/\partial\xi`. What
+words call a momentum has its name by its equation, and that it is the one of its coordinate is
 claimed of it.
 """
 
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, to_latex
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.paper.implied import LAGRANGIANS
+from kowalevski_cas.paper.implied import LAGRANGIANS, conjugate_pairs
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.in_words import is_unsure
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, Known, StatementRole
@@ -18,7 +20,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.two_energies import has_squares_of_rates
 from kowalevski_cas.reading.unprinted import gives_lagrangian, unprinted
 
-OF_LAGRANGIAN = "momentum"
+OF_COORDINATE = "momentum"
 """The kind of these claims."""
 
 _MOMENTUM = re.compile(r"\b(?:moment(?:um|a)|conjugate)\b|\b(?:импульс|сопряж[её]нн)\w*", re.I)
@@ -31,31 +33,32 @@ _OTHER = re.compile(
 
 
 def momentum(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What gives the momentum of a coordinate, behind the only Lagrangian."""
+    """What gives the momentum of a coordinate, behind a Lagrangian or a change of coordinates."""
     if not _MOMENTUM.search(item.words) or _OTHER.search(item.words) or is_unsure(item.words):
         return None
     if len(item.members) != 2 or not item.bare or item.members[0] != Name(item.bare[0]):
         return None
-    if known.is_defined(item.bare[0]) or not _derivative(item, known):
+    if known.is_defined(item.bare[0]) or symbol(item.bare[0]).letter not in ("p", "P"):
         return None
-    says = "words call it a momentum: the Lagrangian has it"
-    return StatementRole(CLAIM, says, OF_LAGRANGIAN, item.bare[:1])
+    if not (_by_velocity(item, known) or _by_change(item, known)):
+        return None
+    return StatementRole(CLAIM, "words call it a momentum", OF_COORDINATE, item.bare[:1])
 
 
 def equation_of_momentum(item: SourceStatement, known: Known) -> SourceStatement:
-    """That a momentum is the derivative of the Lagrangian by a velocity."""
-    tex = f"{item.bare[0]}={_derivative(item, known)}"
-    return unprinted(known.paper, f"momentum-{item.order}", tex, item, "the Lagrangian")
+    """That a momentum is a derivative of the Lagrangian, or that of a change of coordinates."""
+    tex = f"{item.bare[0]}={_by_velocity(item, known) or _by_change(item, known)}"
+    return unprinted(known.paper, f"momentum-{item.order}", tex, item, "its coordinate")
 
 
-def _derivative(item: SourceStatement, known: Known) -> str:
+def _by_velocity(item: SourceStatement, known: Known) -> str:
     """The derivative of the Lagrangian by the velocity of the coordinate with an index.
 
     Without an index it is the only one; empty if there is none, or more than one Lagrangian.
     """
     given = [one for one in known.items if one.order < item.order and _is_lagrangian(one, known)]
     parts = symbol(item.bare[0])
-    if len(given) != 1 or parts.letter not in ("p", "P"):
+    if len(given) != 1:
         return ""
     coordinates = [
         name
@@ -65,6 +68,26 @@ def _derivative(item: SourceStatement, known: Known) -> str:
     letter = given[0].bare[0]
     [name] = coordinates if len(coordinates) == 1 else [""]
     return rf"\frac{{\partial {letter}}}{{\partial \dot{{{name}}}}}" if name else ""
+
+
+def _by_change(item: SourceStatement, known: Known) -> str:
+    """The momentum of a new coordinate with an index by those of the coordinates it gives."""
+    index = symbol(item.bare[0]).index
+    for law in known.laws:
+        new = [name for name in law.new if index in (name, symbol(name).index)]
+        if not law.base or len(new) != 1:
+            continue
+        momenta: dict[str, str] = {}
+        with suppress(ValueError):
+            momenta = dict(conjugate_pairs(sorted(law.base.variables)))
+        old = {one.bare[0]: one.members[1] for one in law.change}
+        if momenta.keys() == old.keys():
+            parts = (
+                rf"{momenta[x]}\frac{{\partial}}{{\partial {new[0]}}}\left({to_latex(by)}\right)"
+                for x, by in old.items()
+            )
+            return "+".join(parts)
+    return ""
 
 
 def _is_lagrangian(item: SourceStatement, known: Known) -> bool:

@@ -50,3 +50,35 @@ def test_what_words_do_not_call_so_is_a_definition(words):
         role for tex, role in roles(CENTRAL + words).items() if tex[0] in "p\\" and "L" not in tex
     ]
     assert role == DEFINITION != CLAIM
+
+
+PLANE = (
+    r"The Hamiltonian is \[ H=\frac12(p_x^2+p_y^2)+ax. \] Put $x=r\cos\varphi$, $y=r\sin\varphi$. "
+)
+PARABOLIC = (
+    r"The Hamiltonian is \[ H=\frac12(p_x^2+p_y^2)+ax. \] Put $x=\frac12(u^2-v^2)$, $y=uv$. "
+)
+
+
+@pytest.mark.parametrize(
+    ("change", "name", "right", "wrong"),
+    [
+        (PLANE, "p_r", r"p_x\cos\varphi+p_y\sin\varphi", r"p_x\cos\varphi-p_y\sin\varphi"),
+        (PLANE, r"p_\varphi", r"xp_y-yp_x", r"xp_y+yp_x"),
+        (PARABOLIC, "p_u", "up_x+vp_y", "up_x-vp_y"),
+        (PARABOLIC, "p_v", "up_y-vp_x", "up_y+vp_x"),
+    ],
+)
+def test_a_momentum_of_a_new_coordinate_is_that_of_the_change(change, name, right, wrong):
+    for formula, green in ((right, True), (wrong, False)):
+        found = verdicts(change + rf"The conjugate momentum is ${name}={formula}$.")
+        verdict = found[f"{name}={formula}"]
+        assert verdict.green if green else verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize(("power", "green"), [("^2", True), ("", False)])
+def test_the_energy_is_known_in_new_momenta(power, green):
+    formula = rf"H=\frac12\left(p_r^2+\frac{{p_\varphi^2}}{{r{power}}}\right)+ar\cos\varphi"
+    text = rf"""{PLANE} With the momenta \[ p_r=p_x\cos\varphi+p_y\sin\varphi,\qquad
+    p_\varphi=xp_y-yp_x \] the Hamiltonian becomes \[ {formula}. \]"""
+    assert verdicts(text)[formula].green == green
