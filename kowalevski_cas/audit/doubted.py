@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 
 from kowalevski_cas.audit.audited import OPEN, Audited
@@ -19,6 +20,9 @@ AS_FREE = "taken as free"
 
 OF_A_PLACE = "it does not hold always, and its words may say where, or when, it does"
 """The words for what may be said of one place, or of one time."""
+
+OFTEN = 3
+"""In so many statements a letter is no slip."""
 
 SECONDS = 2.0
 """For the search of what would mend a claim."""
@@ -50,17 +54,31 @@ def how_read(formula: JudgedStatement, known: Known) -> str:
     may stand for them. The number π is none of them, though it has no value either, nor the letter
     of what is said to be an eigenvalue.
     """
-    assert formula.claim is not None
-    supposed = {name for one in formula.on for name in one.names}
-    supposed |= letters_for(formula.item, known)
-    untied = known.untied(formula.claim.scene.constants)
-    free = [name for name in untied if name not in supposed | {PI}]
+    free = free_letters(formula, known)
     if not free:
         return FALSE_AS_READ
     names = " and ".join(filter(None, [", ".join(f"${n}$" for n in free[:-1]), f"${free[-1]}$"]))
     was, them = ("was", "it") if len(free) == 1 else ("were", "them")
     ties = f" or ties {them} to the motion" if known.laws else ""
     return f"{FALSE_AS_READ}: {names} {was} {AS_FREE}, since no equation defines {them}{ties}"
+
+
+def free_letters(formula: JudgedStatement, known: Known) -> list[str]:
+    """The constants in a claim that were taken as free."""
+    assert formula.claim is not None
+    supposed = {name for one in formula.on for name in one.names}
+    supposed |= letters_for(formula.item, known)
+    untied = known.untied(formula.claim.scene.constants)
+    return [name for name in untied if name not in supposed | {PI}]
+
+
+def needs_words(formula: JudgedStatement, known: Known) -> bool:
+    """Whether a claim has a letter that the paper has often, and explains in words alone.
+
+    It is no slip, and no repair of a formula would be what was meant.
+    """
+    often = Counter(name for one in known.items for name in one.names)
+    return any(often[name] >= OFTEN for name in free_letters(formula, known))
 
 
 def is_false_as_read(outcome: Outcome) -> bool:

@@ -21,6 +21,7 @@ from kowalevski_cas.audit.doubted import (
     OF_A_PLACE,
     how_read,
     is_false_as_read,
+    needs_words,
     point_at,
     repairs_of_doubted,
 )
@@ -127,11 +128,20 @@ class ReadingSession:
         self._leave_exceptions(found)
         self._leave_unproved(found)
         self._leave_places(found)
-        explained = {*self.causes.places, *self._searched}
+        explained = {*self.causes.places, *self._searched, *self._told_in_words(found)}
         self.repairs = repairs_of_doubted(self._session, found, explained)
         self._doubt(found, self._shared_repairs())
         self._spare_constants(found)
         return {id: self._told(outcome) for id, outcome in found.items()}
+
+    def _told_in_words(self, found: Mapping[str, Outcome]) -> Iterator[str]:
+        """The claims that are false as they were read for letters which words alone explain."""
+        for id, outcome in found.items():
+            formula = self.claiming[id]
+            if is_false_as_read(outcome) and needs_words(
+                formula, self.reading.parts.of(formula.item)
+            ):
+                yield id
 
     def _leave_exceptions(self, found: dict[str, Outcome]) -> None:
         """Take the verdict from lists of all states of rest, if some may be left out."""

@@ -3,10 +3,12 @@
 import pytest
 
 from kowalevski_cas.audit.audited import OPEN
+from kowalevski_cas.audit.doubted import free_letters, needs_words
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import decode
 from kowalevski_cas.verify.outcome import FALSE_AS_READ, Verdict
+from tests.reading.test_reading import reading
 from tests.sample import sampled
 
 LAW = r"""The equations of motion are
@@ -163,3 +165,13 @@ def test_what_is_true_of_a_law_that_two_doubted_claims_would_have_otherwise_is_n
     assert found["x=y"] == Verdict.UNDECIDED
     integrals = {verdict for tex, verdict in found.items() if tex != "x=y"}
     assert ({*integrals} == {Verdict.PROVED}) == (sign == "-")
+
+
+@pytest.mark.parametrize(("often", "needs"), [(r"$a\psi$, $b\psi$", True), ("", False)])
+def test_a_letter_that_a_paper_has_often_is_no_slip(often, needs):
+    text = rf"""Let \[ \dot x=y,\qquad\dot y=-x. \] Besides, {often}. We have \[ x\dot x+y\dot y=x\psi. \]"""
+    found = reading(text)
+    [claim] = [one for one in found.formulas if one.claim is not None]
+    known = found.parts.of(claim.item)
+    assert free_letters(claim, known) == [r"\psi"]
+    assert needs_words(claim, known) == needs
