@@ -414,4 +414,6 @@ def _is_joined(one: SourceStatement, other: SourceStatement) -> bool:
     """Whether two statements are rows of one display, or of one list, side by side."""
     alike = one.typed.inline == other.typed.inline and one.typed.kind == other.typed.kind
     words = other.lead.strip(" ,;~")
-    return alike and (not words or (one.typed.inline and words in ("and", "и")))
+    if one.typed.inline and (other.order != one.order + 1 or words not in ("", "and", "и")):
+        return False
+    return alike and (one.typed.inline or not words)

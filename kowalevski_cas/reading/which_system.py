@@ -99,7 +99,14 @@ _END, _BREAK = re.compile(r"[,;:]"), re.compile(r"[;:]")
 
 
 def _has_noun(words: str) -> bool:
-    return any(match["noun"] or match["named"] for match in _WHICH.finditer(words))
+    return any(
+        match["noun"] or match["named"] or _ENDS.match(words, match.end())
+        for match in _WHICH.finditer(words)
+    )
+
+
+_ENDS = re.compile(r"[\s~]*(?:[,§]|$)")
+"""What stands behind an ordinal that is a noun itself: “in the first, § is constant”."""
 
 
 def _numbers(words: str, *, nouns: bool = False) -> set[int]:

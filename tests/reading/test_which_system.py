@@ -92,3 +92,23 @@ def test_each_clause_has_its_own_system():
     )
     assert verdicts(text.replace("FUNCTION", "x^4+2x^2y^2+y^4"))["x^4+2x^2y^2+y^4"].green
     assert not verdicts(text.replace("FUNCTION", "x^4+2x^2y^2+y^4"))["x^2+y^2"].green
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        ("In the first, $x^2+y^2$ is constant, in the second, $x^2-y^2$ is constant.", True),
+        ("In the first, $x^2-y^2$ is constant, in the second, $x^2+y^2$ is constant.", False),
+        ("In the first $x^2+y^2$ is an integral. In the second $x^2-y^2$ is an integral.", True),
+    ],
+)
+def test_an_ordinal_may_be_the_noun_itself(words, green):
+    found = verdicts(SYSTEMS + words)
+    assert found["x^2+y^2"].green == found["x^2-y^2"].green == green
+
+
+def test_what_follows_behind_a_law_is_no_row_of_its_list():
+    text = r"""Let $H=qp+q^2$. By $\dot q=\partial H/\partial p$, $\dot p=-\partial H/\partial q$ we get
+    $\dot q=q$, $\dot p=-p-2q$. Then $q(p+q)$ is an integral."""
+    found = verdicts(text)
+    assert found[r"\dot p=-p-2q"].green and found["q(p+q)"].green
