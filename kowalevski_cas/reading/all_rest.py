@@ -46,7 +46,7 @@ _ALL = re.compile(
     rf"|\b(?:the\s+(?:only|unique|single)|an?\s+(?:unique|single))\s+{_ONE}{_OF}{_GIVEN}"
     r"|\b(?:there\s+are|has|have|possess(?:es)?)\s+(?:(?:exactly|only|just|precisely)\s+)?"
     rf"(?:{'|'.join(NUMBERS)})\s+{_PLURAL}{_OF}{_GIVEN}"
-    rf"|^[\s,]*(?:все\s+)?{_RUSSIAN}{_OF}{_GIVEN}",
+    rf"|^[\s,]*{_PLURAL}\s*:[\s~]*$|^[\s,]*(?:все\s+)?{_RUSSIAN}{_OF}{_GIVEN}",
     re.IGNORECASE,
 )
 """How words end behind which all states of rest are listed."""

@@ -63,6 +63,7 @@ STATES: dict[str, str] = {
         \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\s+(?:are\s+the\s+(?:two|three|four|five)|form\s+the)\b
         \b(?:exhausts?|complete\s+list|set)\s+(?:of\s+)?(?:the\s+|all\s+)?(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)
         \b(?:the|its)\s+(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states)|(?:states|points)\s+of\s+rest)(?:\s+of\s+\w+\s+\w+)?\s+are\b(?=[^.;]*\$)
+        \b(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states))\s*:(?=[^.;]*\$)
         (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "integral": r"""
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b

@@ -1,11 +1,14 @@
 """Where words list *the* equilibria, nothing else is at rest; angles are known up to a turn."""
 
+import random
+
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession, uncovered
 from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading, verdicts
+from tests.sample import sampled
 
 WELLS = r"The motion is \[ \dot x=y,\qquad\dot y=x-x^3. \] "
 PENDULUM = r"The motion is \[ \dot\theta=p,\qquad\dot p=-k\sin\theta. \] "
@@ -28,6 +31,7 @@ def of_all(text):
         WELLS + r"The equilibria are $(\pm1,0)$ and $(0,0)$.",
         WELLS + r"The equilibria are the points $(0,0)$, $(1,0)$, $(-1,0)$.",
         WELLS + r"The equilibria are $x=0$ and $x=\pm1$.",
+        WELLS + r"Fixed points: $(0,0)$, $(\pm1,0)$.",
         WELLS + r"There are exactly three equilibria: $(1,0)$, $(-1,0)$, $(0,0)$.",
         WELLS + r"Положения равновесия: $(0,0)$, $(1,0)$, $(-1,0)$.",
         WELLS.replace("x-x^3", "x+x^3") + r"The only equilibrium is $(0,0)$.",
@@ -50,6 +54,7 @@ def test_all_that_is_at_rest_is_listed(text):
         WELLS + r"The equilibria are given by $x^2=1$, $y=0$.",
         WELLS + r"The equilibria are $(\pm1,0)$.",
         WELLS + r"The equilibria are $x=\pm1$.",
+        WELLS + r"Equilibria: $x=\pm1$.",
         WELLS + r"The system has two equilibria, $(1,0)$ and $(-1,0)$.",
         WELLS + r"The only equilibrium is $(0,0)$.",
         WELLS + r"Положения равновесия системы --- $(0,0)$ и $(1,0)$.",
@@ -99,3 +104,44 @@ def test_an_angle_at_rest_is_known_by_its_sine_and_cosine(angle, green):
 def test_an_angle_moves_where_its_sine_does_not():
     text = PENDULUM.replace("sin", "cos") + r"The states with $\cos\theta=0$ are equilibria."
     assert not verdicts(text)[r"\cos\theta=0"].green
+
+
+def a_list(seed):
+    """A system of which the states of rest are known, with all of them, or but one, in a list."""
+    rnd = random.Random(seed)
+    roots = rnd.sample(range(-3, 4), rnd.choice([2, 3]))
+    factors = "".join(f"(x{-root:+d})" + rnd.choice(["", "", "^2"]) for root in roots)
+    a, b = rnd.choice([1, 2, 3]), rnd.choice([1, 2, 3])
+    law, points = rnd.choice(
+        [
+            (
+                rf"\dot x=y,\quad\dot y={factors}{rnd.choice(['', '(1+x^2)'])}",
+                [(r, 0) for r in roots],
+            ),
+            (rf"\dot x=x({a}-y),\quad\dot y=y(x-{b})", [(0, 0), (b, a)]),
+            (r"\dot\theta=p,\quad\dot p=-k\sin\theta", [("0", 0), (r"\pi", 0)]),
+        ]
+    )
+    names = (r"\theta", "p") if "theta" in law else ("x", "y")
+    whole = rnd.random() < 0.5
+    listed = rnd.sample(points, len(points) - (not whole))
+    form = rnd.choice(["({2},{3})", r"{0}={2},\;{1}={3}"])
+    words = rnd.choice(
+        [
+            "The equilibria are",
+            "Its fixed points are given by",
+            "Fixed points:",
+            "Положения равновесия:",
+        ]
+    )
+    places = rnd.choice([" and ", ", "]).join(f"${form.format(*names, *one)}$" for one in listed)
+    return rf"The motion is \[ {law}. \] {words} {places}.", whole
+
+
+@pytest.mark.parametrize("seed", sampled(range(60), 6))
+def test_a_list_is_green_if_it_has_all(seed):
+    text, whole = a_list(seed)
+    found = reading(text)
+    outcomes = ReadingSession(found, timeout=5).outcomes.values()
+    assert all(one.verdict.green for one in outcomes) == whole, text
+    assert not (whole and uncovered(found)), text
