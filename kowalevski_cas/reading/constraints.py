@@ -78,7 +78,8 @@ def is_constraint(item: SourceStatement, law: Law, known: Known) -> bool:
     gives = isinstance(first, Name) and not known.moves(first.name)
     gives |= isinstance(first, Application) and first.function not in FUNCTIONS
     gives |= any(isinstance(member, Vector) for member in item.members)
-    if gives or not _moving(item, law, known):
+    moving = _moving(item, law, known)
+    if gives or not moving or any(map(known.moves, names - moving)):
         return False
     orders = orders_in(row.formula for row in law.rows if row.formula is not None)
     if item.formula is None:

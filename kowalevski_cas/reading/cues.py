@@ -15,6 +15,7 @@ _OF_MAP = r"""
 
 _NO_SLIP = r"""
         \broll\w*\s+without\s+(?:slipping|sliding|slip)\b
+        \broll(?:s|ing)?\s+(?:on|along|over|down|inside)\b
         (?:\bno|\bnot|never|cannot)\s+(?:slip|skid)\w*
         (?:\bnot|never|cannot)\s+(?:slide|move)\s+sideways без\s+(?:проскальзыван|скольжен)\w+
         не\s+(?:скольз|проскальз)\w+"""
@@ -358,6 +359,7 @@ CUES: dict[str, str] = {
         \bforc(?:ed|ing)\b resist\w+ \bdrag\b \bviscous\b
         \banother\s+(?:system|law|problem|force|equation) случа\w+ становит\w+ добав\w+
         \bunits?\b dimensionless non-?dimension\w+ \brescal\w+ \bscal(?:ed|ing)\b normali[sz]\w+
+        \bfor\s+(?:an?|the)\s+(?:\w+\s+)?\w+\s+at\s+rest\b \bпри\s+неподвижн\w+
         \brevers\w+ \bbackwards?\b averag\w+ neglect\w* \bignor\w+ \bregime\b \bframe\b
         безразмерн\w+ единиц\w* обра[щт]\w+ усредн\w+ пренебре\w+ режим\w* масштаб\w* нормир\w+
         измен[еия]\w+ замен[яи]\w+ вместо возмущ[её]н\w+ вынужд\w+

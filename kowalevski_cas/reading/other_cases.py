@@ -28,7 +28,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import joined_lead
 from kowalevski_cas.reading.restated import orders_of, times_of
-from kowalevski_cas.reading.rows import is_row
+from kowalevski_cas.reading.rows import highest_order, is_row
 from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.verify.interpretation import Interpretation
@@ -97,7 +97,8 @@ class OtherCases:
         )
         if role.name == UNREAD or role.kind in NOT_CLAIMED or (role.name == CLAIM and not rungs):
             return bool(force) and _RATE.search(item.typed.tex) is not None
-        if role.name != CLAIM or not is_row(item) or not _is_whole(item, known):
+        gives = is_row(item) or _is_of_equal_rates(item)
+        if role.name != CLAIM or not gives or not _is_whole(item, known):
             return False
         before = item.earlier[0] if item.earlier else ""
         words = f"{item.sections[-1].title} {before} {item.words}"
@@ -168,6 +169,12 @@ class OtherCases:
         if law := self._law_behind(row):
             end = min(end, law.first.typed.start)
         return row.sentence[0] <= start < end
+
+
+def _is_of_equal_rates(item: SourceStatement) -> bool:
+    r"""Whether a chain gives several rates one value, as :math:`\ddot x=\ddot y=0`."""
+    orders = [highest_order(member) for member in item.members]
+    return len(orders) > 2 and all(orders[:-1]) and not orders[-1]
 
 
 def _is_whole(item: SourceStatement, known: Known) -> bool:

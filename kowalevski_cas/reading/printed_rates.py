@@ -18,7 +18,7 @@ from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.permuted import permuted_rows
 from kowalevski_cas.reading.polar import length_given
-from kowalevski_cas.reading.reactions import is_bound, reactions
+from kowalevski_cas.reading.reactions import have_multiplier, is_bound, is_reacting, reactions
 from kowalevski_cas.reading.rows import (
     binds_velocities,
     highest_order,
@@ -268,6 +268,8 @@ class PrintedRates:
         rated_names = {name for row in own for name in self.scalars(row)}
         if rates_given(own, self.names) < len(rated_names) or only_squared(own):
             return None
+        if rated_names & {*apart} and rates_given(own, self.names) > len(rated_names - {*apart}):
+            return None  # what moves already would move in two ways
         own += self.naming_rates(first, rated_names, apart, rows)
         momenta = self.momenta_of(rated_names)
         own += rows_of_conjugates(self.paper, own)
@@ -307,7 +309,7 @@ class PrintedRates:
     ) -> Iterator[SourceStatement]:
         """A row and those that follow it in its display, without a word between.
 
-        So are those of its sentence that have the same reaction.
+        So are those of its sentence that have the same reaction, or multiplier.
         """
         last = first
         for row in rows:
@@ -316,6 +318,7 @@ class PrintedRates:
             elif row.sentence == first.sentence and (
                 (row.order > first.order and _is_joined(last, row))
                 or reactions([first, row], self.paper.items)
+                or have_multiplier(first, row)
             ):
                 last = row
                 yield row
@@ -374,15 +377,16 @@ def _is_driven(row: SourceStatement) -> bool:
 def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
     r"""Whether an acceleration alone is that by a force, as in :math:`m\ddot x=F`, and no name.
 
-    The force acts back on another body beside it, or words say that the body falls, or moves so,
-    and nothing else says how.
+    The force acts back on another body beside it, or turns this one, or words say that the body
+    falls, or moves so, and nothing else says how.
     """
-    if len(row.rates) != 1 or len(row.members) != 2 or highest_order(row.members[0]) != 2:
+    if len(row.rates) != 1 or len(row.members) != 2 or not highest_order(row.members[0]):
         return False
     others = [one for one in rows if one is not row]
-    reacting = (one for one in others if one.typed is row.typed and {*row.bare} & one.names)
-    if any(one.rates.keys().isdisjoint(row.rates) for one in reacting):
+    if any(is_reacting(one, row) for one in others):
         return True
+    if highest_order(row.members[0]) != 2:
+        return False
     alone = all(one.rates.keys().isdisjoint(row.rates) for one in others)
     return alone and bool(_MOVES.search(row.lead)) and not cue("integral", row.words)
 

@@ -11,9 +11,10 @@ from collections.abc import Collection, Iterable, Sequence
 
 from kowalevski_cas.notation import Name, Negative, Sum
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.constraints import MULTIPLIERS
 from kowalevski_cas.reading.statements import SourceStatement
 
-LETTERS = ("T", "N", "F", "f", "S")
+LETTERS = ("T", "N", "F", "f", "S", "R")
 """The letters of such forces."""
 
 
@@ -46,6 +47,33 @@ def _is_term(name: str, row: SourceStatement) -> bool:
         for term in (member.terms if isinstance(member, Sum) else (member,))
     ]
     return any(term in (Name(name), Negative(Name(name))) for term in sides)
+
+
+def is_reacting(one: SourceStatement, row: SourceStatement) -> bool:
+    r"""Whether a force that is alone on a side of a row stands in an equation for another name.
+
+    That is one of its display, or sentence, as in :math:`m\ddot x=R,\ I\ddot\varphi=M-aR`; one of
+    them gives an acceleration.
+    """
+    forces = {name for name in row.bare if one.typed is row.typed or symbol(name).letter in LETTERS}
+    orders = {*one.rates.values(), *row.rates.values()}
+    return (
+        one.sentence == row.sentence
+        and max(orders, default=0) > 1
+        and not forces.isdisjoint(one.names)
+        and one.rates.keys().isdisjoint(row.rates)
+    )
+
+
+def have_multiplier(one: SourceStatement, other: SourceStatement) -> bool:
+    r"""Whether two equations of motion, for other names, have the letter of a multiplier.
+
+    So have :math:`m\ddot x=\lambda x,\ m\ddot y=\lambda y`: a constraint may bind both.
+    """
+    rated = {*one.rates, *other.rates}
+    shared = (one.names & other.names) - rated
+    apart = {*one.rates}.isdisjoint(other.rates)
+    return apart and any(symbol(name).letter in MULTIPLIERS for name in shared)
 
 
 def is_bound(

@@ -221,3 +221,25 @@ def test_the_motion_is_on_what_words_behind_a_law_call_constraints(sign, green):
 def test_rates_that_words_call_linear_near_a_place_are_no_equations_of_motion():
     claim = r"\section{Rest} Near $x=(1,0)$ the linear equation is \[\ddot x_2=-(a_2-a_1)x_2 .\]"
     assert not any(one is Verdict.REFUTED for one in verdicts(TOGETHER + claim).values())
+
+
+BOUND = r"Let $m\ddot x=\lambda x$, $m\ddot y=\lambda y$ and $x^2+y^2=1$. "
+
+
+@pytest.mark.parametrize(
+    ("claim", "true"),
+    [
+        (r"Then $\frac m2(\dot x^2+\dot y^2)$ is constant.", True),
+        (r"Then $\frac m2(\dot x^2-\dot y^2)$ is constant.", False),
+        (r"Then $\lambda=-m(\dot x^2+\dot y^2)$.", True),
+        (r"Then $\lambda=m(\dot x^2+\dot y^2)$.", False),
+    ],
+)
+def test_equations_for_one_coordinate_each_have_one_multiplier(claim, true):
+    assert [one.green for one in verdicts(BOUND + claim).values()] == [true]
+
+
+def test_what_binds_the_coordinates_of_two_systems_is_read():
+    text = r"Let $m\ddot x=\lambda x$. Let $m\ddot y=\lambda y$. Here $x^2+y^2=1$. "
+    found = verdicts(rf"{text}Then $\frac m2(\dot x^2-\dot y^2)$ is constant.")
+    assert not any(one.green for one in found.values())

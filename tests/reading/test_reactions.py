@@ -67,3 +67,33 @@ def test_a_force_that_binds_nothing_is_any_constant():
     true, false = r"$m\dot x+M\dot y$ is conserved.", r"$m\dot x-M\dot y$ is conserved."
     assert all(one.green for one in verdicts(text + true).values())
     assert [*verdicts(text + false).values()] == [Verdict.REFUTED]
+
+
+ON_TABLE = (
+    r"A ball rolls on a table that turns: $m\ddot x=F_1$, $m\ddot y=F_2$, $kma\dot\omega_1=F_2$,"
+    r" $kma\dot\omega_2=-F_1$, and $\dot x-a\omega_2=-\Omega y$, $\dot y+a\omega_1=\Omega x$. "
+)
+PUSHED = r"A wheel rolls by $m\ddot x=R$, $I\ddot\varphi=M-aR$ with $\dot x=a\dot\varphi$. "
+
+
+@pytest.mark.parametrize(
+    ("law", "claim", "true"),
+    [
+        (ON_TABLE, r"Hence $(1+1/k)\ddot x=-\Omega\dot y$.", True),
+        (ON_TABLE, r"Hence $(1-1/k)\ddot x=-\Omega\dot y$.", False),
+        (PUSHED, r"Hence $(I+ma^2)\ddot x=aM$.", True),
+        (PUSHED, r"Hence $(I-ma^2)\ddot x=aM$.", False),
+        (PUSHED, r"The function $\frac12(I+ma^2)\dot x^2-aMx$ is an integral.", True),
+        (PUSHED, r"The function $\frac12(I-ma^2)\dot x^2-aMx$ is an integral.", False),
+        (PUSHED, r"The reaction is $R=\frac{maM}{I+ma^2}$.", True),
+        (PUSHED, r"The reaction is $R=\frac{maM}{I-ma^2}$.", False),
+    ],
+)
+def test_a_reaction_alone_on_a_side_is_no_value(law, claim, true):
+    found = [*verdicts(law + claim).values()]
+    assert found[-1].green == true
+
+
+def test_what_is_at_rest_by_words_is_another_case():
+    found = [*verdicts(rf"{ON_TABLE}For a table at rest we have $\ddot x=\ddot y=0$.").values()]
+    assert found == [Verdict.UNDECIDED]
