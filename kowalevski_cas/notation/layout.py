@@ -277,14 +277,21 @@ def _is_name(tokens: Sequence[Token]) -> bool:
 
 
 def _of_each(runs: Iterable[_Run]) -> Iterator[_Run]:
-    r"""Runs with what is said of each name in a list before an inequality: :math:`a,b>0`."""
+    r"""Runs with what is said of each name in a list before an inequality: :math:`a,b>0`.
+
+    So is the number that a list ends with, as in :math:`a,b=1`.
+    """
     names: list[_Run] = []
+    runs = [*runs]
     for run in runs:
         first = next((k for k, one in enumerate(run.tokens) if one.kind == "relation"), 0)
         if _is_name(run.tokens) and (run.before == "comma" or not names):
             names.append(run)
             continue
-        is_said = run.before == "comma" and first and run.tokens[first].text in _ORDERS
+        said = run.tokens[first].text in _ORDERS or (
+            run is runs[-1] and _ends_in_number(run, first)
+        )
+        is_said = run.before == "comma" and first and said
         if is_said and _is_name(run.tokens[:first]):
             for name in names:
                 name.tokens += run.tokens[first:]
@@ -293,6 +300,12 @@ def _of_each(runs: Iterable[_Run]) -> Iterator[_Run]:
         names = []
         yield run
     yield from names
+
+
+def _ends_in_number(run: _Run, sign: int) -> bool:
+    """Whether a run says that something is a number; the sign of equality stands at a place."""
+    *between, last = [token.kind for token in run.tokens[sign + 1 :]] or [""]
+    return run.tokens[sign].text == "=" and between in ([], ["sign"]) and last == "number"
 
 
 def _depths(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:

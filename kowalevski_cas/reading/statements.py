@@ -44,6 +44,7 @@ from kowalevski_cas.reading.free_functions import (
 )
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
+from kowalevski_cas.reading.links import with_links
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.orbits import with_orbits
@@ -358,7 +359,8 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     since = told_since(functions, printed, expanded.text)
     printed = [*with_names_alone(printed, functions)]
     moving = moving_names(printed)
-    along = [*with_orbits([*with_reach(printed, moving)], moving)]
+    printed = [*with_links(with_reach(printed, moving), moving)]
+    along = [*with_orbits(printed, moving)]
     orbits = frozenset(formula.start for formula, is_along in along if is_along)
     begun, starts = with_initial_values([formula for formula, _ in along], moving)
     formulas = [*by_names(begun)]

@@ -142,9 +142,14 @@ def test_no_name_needs_to_be_known():
         (r"a,b\ne0", [r"a \ne 0", r"b \ne 0"]),
         (r"x+y,b>0", ["x + y", "b > 0"]),
         (r"a,f(x,y)>0", ["a", "f ( x , y ) > 0"]),
+        (r"a,b=1", ["a = 1", "b = 1"]),
+        (r"x,y,z=-1.", ["x = - 1", "y = - 1", "z = - 1"]),
+        (r"a,b=c", ["a", "b = c"]),
+        (r"a,b=2c", ["a", "b = 2 c"]),
+        (r"a+b,c=1", ["a + b", "c = 1"]),
     ],
 )
-def test_an_inequality_behind_a_list_of_names_is_said_of_each(display, printed):
+def test_an_inequality_or_a_number_behind_a_list_of_names_is_said_of_each(display, printed):
     assert [" ".join(t.text for t in one.tokens) for one in statements(display)] == printed
 
 
