@@ -22,7 +22,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.misprints import factors_of
 from kowalevski_cas.notation.symbol import symbol
-from kowalevski_cas.reading.known import DEFINITION, OTHER, Known, StatementRole
+from kowalevski_cas.reading.known import DEFINITION, NOTATION, OTHER, Known, StatementRole
 from kowalevski_cas.reading.statements import SourceStatement, is_closing
 
 ZERO = "zero for these values of its indices"
@@ -35,6 +35,8 @@ def idle(item: SourceStatement, known: Known) -> StatementRole | None:
     if name := _closed(item, known.paper.period):
         why = f"indices are taken modulo {known.paper.period}"
         return StatementRole(DEFINITION, why, "", (name,))
+    if _runs_on(item, known):
+        return StatementRole(NOTATION, "says how indices go on")
     turned = _turned(item.formula)
     if turned is not None and any(o.formula == turned for o in family if o.order < item.order):
         return StatementRole(OTHER, SAME)
@@ -46,12 +48,26 @@ def idle(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _closed(item: SourceStatement, period: int) -> str:
-    """The name beside a chain that an equation gives by one of its links, which stands first."""
+    """The name beside a chain that an equation gives by one of its links, or nothing."""
     if not period or not is_closing(item, period):
         return ""
-    first, last = (symbol(name).index for name in item.bare)
-    beside = first.isdecimal() and last.isdecimal() and not 1 <= int(last) <= period
-    return item.bare[1] if beside and 1 <= int(first) <= period else ""
+    indices = [symbol(name).index for name in item.bare]
+    if not all(index.isdecimal() for index in indices):
+        return ""
+    beside = [
+        name
+        for name, index in zip(item.bare, indices, strict=True)
+        if not 1 <= int(index) <= period
+    ]
+    return beside[0] if len(beside) == 1 else ""
+
+
+def _runs_on(item: SourceStatement, known: Known) -> bool:
+    """Whether an equation says of any link of a chain which one it is again: no map has it."""
+    letters = [symbol(name).index for name in item.bare]
+    steps = {index.strip("0123456789+-") for index in letters}
+    chained = is_closing(item) and len(steps) == 1 and steps != {""}
+    return chained and not any(law.images for law in known.laws)
 
 
 def _turned(formula: Formula | None) -> Formula | None:

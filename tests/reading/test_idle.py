@@ -60,3 +60,20 @@ def test_of_integrals_that_are_constant_for_some_indices_only_none_is_refuted():
         r"quantity $I=\operatorname{tr}L$ is an integral",
     )
     assert [f.verdict for f in audited(alone).formulas if f.claims] == ["refuted"]
+
+
+CHAINS = [
+    r"The system $\dot x_k=x_k(x_{k+1}-x_{k-1})$, $k=1,\dots,n$, with $x_{k+n}=x_k$, has the integral ",
+    r"The chain $\dot x_k=x_{k+1}-x_{k-1}$ with the condition $x_{k+n}=x_k$ has the integral ",
+]
+
+
+@pytest.mark.parametrize("chain", CHAINS)
+@pytest.mark.parametrize(("integral", "true"), [("x_k", True), ("x_k^3", False)])
+def test_how_the_indices_of_a_chain_go_on_is_no_integral(chain, integral, true):
+    assert decided(rf"{chain}$\sum_k{integral}$.") == [true]
+
+
+def test_of_a_map_the_period_is_claimed():
+    assert decided("The map $x_{n+1}=-x_n$ has $x_{n+2}=x_n$.") == [True]
+    assert decided("The map $x_{n+1}=-x_n$ has $x_{n+3}=x_n$.") == [False]
