@@ -24,6 +24,7 @@ from kowalevski_cas.reading.lifted import (
     may_lift,
     names_case,
 )
+from kowalevski_cas.reading.matrices_in_words import matrices_in_words
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
@@ -112,6 +113,11 @@ class Known:
         marks = frozenset().union(*(item.marks for item in self.items))
         given = {one.other_time for one in self.items if "d" in one.names}
         return (frozenset({"t", r"\tau"}) | marks | given) & self.paper.words.times
+
+    @cached_property
+    def unread_matrices(self) -> frozenset[str]:
+        """The letters that are matrices, and were read as numbers: nothing gives their elements."""
+        return frozenset(n for n in matrices_in_words(self.paper) if n not in self.later)
 
     @cached_property
     def later(self) -> dict[str, list[SourceStatement]]:

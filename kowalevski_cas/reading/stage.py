@@ -348,9 +348,15 @@ class Stage:
     # -- scenes ------------------------------------------------------------------------
 
     def _clock(self, items: Sequence[SourceStatement]) -> SourceStatement | None:
-        """What gives the other time by which derivatives are printed: the last before them."""
+        """What gives the other time by which derivatives are printed: the last before them.
+
+        Raises ``ValueError`` where dots derive by it, and the equations of motion have primes.
+        """
         law = {mark for one in self.known.laws for row in one.rows for mark in row.marks}
-        marks = frozenset().union(*(item.marks for item in items)) - {"dot", "t"}
+        marks = frozenset().union(*(item.marks for item in items))
+        if self.known.clocks and law == {"prime"} and marks & {"dot", "t"}:
+            raise ValueError("a dot derives by another time than the primes of the law: print both")
+        marks -= {"dot", "t"}
         marks -= {"prime"} & law
         last = max(item.order for item in items)
         before = [one for one in self.known.clocks if one.order < last]
