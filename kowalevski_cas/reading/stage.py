@@ -165,6 +165,8 @@ class Stage:
         derived = {name for item in (*items, *rows) for name in derived_names(item)}
         if lost := derived & {*scene.constants}:
             raise ValueError(f"nothing says what {min(lost)} is, of which derivatives are printed")
+        if matrix := {*scene.constants, *scene.variables} & self.known.unread_matrices:
+            raise ValueError(f"{min(matrix)} is a matrix, of which no elements are printed")
         rated = self.known.names.scalars(name for item in items for name in item.rates)
         if still := {*rated} & {*scene.constants}:
             raise ValueError(f"no equation says how ${min(still)}$ moves")

@@ -181,3 +181,11 @@ def test_a_constant_that_is_the_sine_of_a_letter_of_its_own_may_be_any():
     assert right[r"x\dot y-y\dot x"].green
     alone = text.partition(" If")[0]
     assert verdicts(alone.replace("SIGN", "+"))[r"\ddot X=-(k+\omega^2)X"].green
+
+
+@pytest.mark.parametrize("rate", [r"\dot x=y", r"\dot x=xy", r"\frac{dx}{dt}=xy"])
+def test_a_dot_beside_equations_with_primes_and_another_time_is_not_judged(rate):
+    text = r"Let $x'=xy$, $y'=-x^2$. The time $t$ is introduced by $dt=x\,ds$. Then "
+    assert not verdicts(rf"{text}${rate}$.")
+    found = verdicts(rf"{text}${rate}$, and $(x^2+y^2)'=0$, $(x^2-y^2)'=0$.")
+    assert [*found.values()] == [Verdict.PROVED, Verdict.REFUTED]
