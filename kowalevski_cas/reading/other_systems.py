@@ -38,6 +38,8 @@ def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]
     printed_rows = (row for row in rates.undefined(begins) if row not in rates.said.rows)
     rows = [row for row in printed_rows if begins <= row.typed.start < end]
     own = {row for row in rates.rows if row.typed is item.typed}
+    given = {row: one for row in own for one in _giving(rates, row, own)}
+    rows, own = [row for row in rows if row not in given], own - given.keys()
     law = rates.grown(item, (), rows) if own <= {*rows} else None
     if law is None:
         return None
@@ -70,7 +72,27 @@ def other_system(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]
     between = [one for one in rates.paper.items if begins <= one.typed.start < item.typed.start]
     speaks = any({*rates.names.scalars(one.names)} & old - rated for one in between)
     law.begins = item.sentence[0] if speaks and not beside else begins
+    law.begins = min((law.begins, *(one.sentence[0] for one in given.values())))
     return law
+
+
+def _giving(
+    rates: PrintedRates, row: SourceStatement, beside: Collection[SourceStatement]
+) -> list[SourceStatement]:
+    r"""What gives, below the same heading, what a row derives by what others beside it do.
+
+    So does :math:`r=a(1-e\cos E)` before rates of E and r.
+    """
+    moving = {name for one in beside if one is not row for name in one.rates} - {*row.rates}
+    headed = [one for one in row.sections if not one.is_run_in]
+    return [
+        one
+        for name in row.rates
+        for one in rates.defining.get(name, ())
+        if one.order < row.order
+        and [part for part in one.sections if not part.is_run_in] == headed
+        and not moving.isdisjoint(one.names - {name})
+    ]
 
 
 def stands_beside(rates: PrintedRates, item: SourceStatement, part: Sequence[Law]) -> bool:

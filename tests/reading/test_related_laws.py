@@ -103,3 +103,19 @@ def test_what_comes_out_of_the_law_in_a_case_follows_from_it():
     assert verdicts(text.replace("SIGN", "-"))[r"\ddot y=-ky"].green
     found = verdicts(text.replace("SIGN", ""))
     assert not found[r"\ddot y=ky"].green
+
+
+ELLIPSE = r"""
+\noindent\textbf{Problem 1.} A planet moves according to $\ddot{\mathbf r}=-\mu\mathbf r/r^3$.
+
+\noindent\textbf{Problem 2.} We print the ellipse as $r=a(1-e\cos E)$. Find $\dot E$, and $\dot r$.
+
+\noindent\textit{Solution.} Differentiating,
+\[\dot E=\frac{n}{1-e\cos E},\qquad \dot r=\frac{nae\sin E}{1-e\cos E}.\]
+"""
+
+
+@pytest.mark.parametrize(("factor", "true"), [("", True), ("2", False)])
+def test_what_a_formula_gives_before_equations_moves_by_it(factor, true):
+    found = [*verdicts(rf"{ELLIPSE}It follows that $r\dot r={factor}na^2e\sin E$.").values()]
+    assert [one.green for one in found] == [True, true]
