@@ -25,6 +25,8 @@ from kowalevski_cas.reading.phrases import (
     integral_words,
     is_level,
     is_value,
+    joined_lead,
+    joined_tail,
     plain,
     reach,
     resting,
@@ -78,6 +80,8 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(CLAIM, f"gives {plain(given[0])} by the time", "solution")
     rated = [name for name in item.bare if any(name in one.rates for one in known.items)]
     said = cue("a solution", f"{item.lead[-60:]} § {item.tail[:40]}")
+    if moving and not beside and item.typed.inline and not said:  # it is one of a list
+        said = cue("a solution", f"{joined_lead(item)[-60:]} § {joined_tail(item)[:40]}")
     if rated and said and not item.derives:
         return StatementRole(CLAIM, f"“{said}” stands beside it", "solution")
     return None

@@ -230,14 +230,15 @@ def _highest(row: SourceStatement) -> list[str]:
 
 
 def _fixed(name: str, item: SourceStatement, known: Known) -> SourceStatement | None:
-    """The statement before another one, in its paragraph, that gives a variable by constants."""
+    """The statement that gives a variable by constants: before another, or in its sentence."""
     for one in known.items:
-        match one.members:
-            case (Name(own), value) if own == name and one.order < item.order:
-                fixed = value.names() - known.levels
-                moving = known.varying(fixed) or value.names() & known.times
-                if one.paragraph == item.paragraph and not (one.derives or one.begins or moving):
-                    return one
+        near = one.order < item.order or one.sentence == item.sentence
+        if not near or one.paragraph != item.paragraph or one.derives or one.begins:
+            continue
+        given = dict(_given(one, known)) if len(one.members) > 1 else {}
+        value = one.members[-1].names() - known.levels if given else set()
+        if name in given and not (known.varying(value) or value & known.times):
+            return given[name]
     return None
 
 

@@ -154,3 +154,26 @@ def test_all_that_moves_may_be_given_with_a_new_constant(x, green, words):
     rate, *given = found.values()
     assert rate.green
     assert {one.green for one in given} == {green}
+
+
+CONVECTION = r"Consider $\dot x=\sigma(y-x)$, $\dot y=\rho x-y-xz$, $\dot z=xy-bz$. "
+
+
+@pytest.mark.parametrize(
+    ("words", "true"),
+    sampled(
+        [
+            (r"A particular solution is $x=0$, $y=0$, $z=e^{-bt}$.", True),
+            (r"A particular solution is $x=0$, $y=0$, $z=e^{bt}$.", False),
+            (r"A particular solution is $x=0$, $y=1$, $z=e^{-bt}$.", False),
+            (r"The functions $x=0$, $y=0$, $z=2e^{-bt}$ are a solution.", True),
+            (r"We have the solution $z=ce^{-bt}$, $x=0$, $y=0$.", True),
+            (r"We have the solution $z=ce^{-bt}$, $x=0$, $y=1$.", False),
+            (r"For $x=y=0$ we have $z=ce^{-bt}$.", True),
+            (r"For $x=y=0$ we have $z=ce^{-2bt}$.", False),
+        ],
+        3,
+    ),
+)
+def test_some_components_of_a_solution_are_constant(words, true):
+    assert {one.green for one in verdicts(CONVECTION + words).values()} == {true}
