@@ -61,9 +61,9 @@ _MEANS = (
 )
 """What stands here behind a preposition is no circumstance, but a means, or all that there is."""
 _CIRCUMSTANCE = re.compile(
-    r"(?:^|[.;:]|,)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now|also|even|отсюда|следовательно"
+    r"(?:^|[.;:]|,|\b(?:has|have|is|are|име[ею]т)\b)\W*(?:(?:hence|so|thus|therefore|then|consequently|finally|but|and|now|also|even|отсюда|следовательно"
     r"|поэтому|значит|итак)\W+)*"
-    r"(?:(?:at|under|during|near|without|inside|outside|while|as\s+long\s+as|once|until|before|after|between)\s+"
+    r"(?:(?:at|under|during|near|without|inside|outside|while|as\s+(?:long|soon)\s+as|once|until|before|after|between)\s+"
     r"(?!least|last|first\s+(?:sight|glance)|once|this|these|any|all|every|each|the\s+same|which|the\s+flow)"
     r"|(?:if|when|whenever|если|когда|wenn|falls|si|lorsque|quand)\s+(?!we\b|one\b)[^,.;]+,"
     r"|(?:neglect|ignor|disregard|omitt|пренебрег)\w+|(?:initially|momentarily|sometimes|вначале|иногда|anfangs)\b"
@@ -72,6 +72,13 @@ _CIRCUMSTANCE = re.compile(
     re.IGNORECASE,
 )
 """How the words before an equation begin that say when, or where, it is so."""
+_IN_STATE = re.compile(
+    r"\b(?:is|are|stays?|remains?|lies?)\s+(?:\w+\s+){0,2}at\s+rest\b[^\w§]*$"
+    r"|(?:^|[.;:,])[^§.;:,]*\bbeing\s+(?:equal|alike|the\s+same|zero|small|large|absent|at\s+rest)\b[^§.;:]*,[^§.;:]*$"
+    r"|\b(?:покоится|в\s+покое|неподвиж\w+)\b[^\w§]*$",
+    re.IGNORECASE,
+)
+"""How they end if they say in which state something is."""
 _AT_THAT = re.compile(
     r"[\s,~]*(?:there\b(?!\s+(?:is|are|exist))|at\s+(?:this|that|these|those)\s+(?:moment|instant|time|point|place|position)s?"
     r"|in\s+(?:this|that)\s+(?:position|state|motion|case)|(?:if|when|whenever|provided|near|on)\b|twice\b|once\b"
@@ -84,7 +91,8 @@ _AT_THAT = re.compile(
 
 def _has_circumstance(item: SourceStatement) -> bool:
     """Whether words say when, or where, an equation holds, and no equation that was read does."""
-    said = _CIRCUMSTANCE.search(item.before) or _AT_THAT.match(item.tail)
+    said = _CIRCUMSTANCE.search(item.before) or _IN_STATE.search(item.before)
+    said = said or _AT_THAT.match(item.tail)
     return bool(said or cue("on it", item.words))
 
 

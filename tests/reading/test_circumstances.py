@@ -146,3 +146,22 @@ def test_what_is_supposed_where_it_stops_all_motion_is_not_left_out():
 )
 def test_what_a_motion_tends_to_says_of_which_it_is_deduced(words, claim, green):
     assert verdicts(rf"Let $\ddot x=x${words}. Hence ${claim}$.")[claim].green == green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"As soon as the first two of the moments are equal, $r$ is an integral.",
+        r"The first two moments being equal, $r$ is constant.",
+        r"The body is at rest: $\dot r=0$. Later it is pushed.",
+        r"The body has on its steady rotations the property $p^2+q^2=1$.",
+    ],
+)
+def test_what_words_suppose_of_constants_or_of_a_state_is_not_refuted(words):
+    found = verdicts(EULER + words)
+    assert Verdict.REFUTED not in found.values() and not any(v.green for v in found.values())
+
+
+def test_what_is_said_of_all_is_refuted():
+    words = r"The pendulum has on every motion the integral $\dot\theta^2+\frac{2g}l\cos\theta$."
+    assert [*verdicts(PENDULUM + words).values()] == [Verdict.REFUTED]
