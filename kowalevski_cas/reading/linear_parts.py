@@ -57,7 +57,7 @@ _KIND_OF = (
 _WHERE = r"(?P<where>origin|начал\w\s+координат|§)"
 _AT = (
     rf"(?:(?:at|in|в)\s+|(?:for|of|для)\s+(?=(?:{_KIND_OF}[\s~]+)*(?:origin|начал|{_NOUN}[\s~]+§)))"
-    rf"(?:{_KIND_OF}[\s~]+)*{_WHERE}"
+    rf"(?:{_KIND_OF}[\s~]+)*{_WHERE}(?P<more>(?:[\s~]*(?:,|\band\b|\bи\b)[\s~]*§)*)"
 )
 _AT_ANY = rf"(?:at|in|for|of|в|для)\s+(?:{_KIND_OF}[\s~]+)*{_WHERE}"
 _HERE = (
@@ -313,6 +313,8 @@ def _at(
     if found["where"] != "§":
         return _origin(item, law, known)
     place = words[: found.start("where")].count("§")
+    if more := found.groupdict().get("more", "").count("§"):
+        return _listed(place, more, item, law, known)
     if _AND.match(words, found.end("where")) and place + 1 < item.before.count("§"):
         return ()  # it is said of several points
     beside = [one for one in known.items if one.sentence == item.sentence]
@@ -324,6 +326,16 @@ def _at(
         return point
     gives = {name for one in own for name in one.bare if known.moves(name)}
     return tuple(own) if gives == {*law.variables} else ()
+
+
+def _listed(
+    place: int, more: int, item: SourceStatement, law: Law, known: Known
+) -> tuple[SourceStatement, ...]:
+    """The equations of a point in a list that begins at a place, if they give all that moves."""
+    typed = [*dict.fromkeys(one.typed.start for one in known.of_sentence(item.sentence))]
+    places = typed[place : place + more + 1]
+    own = tuple(one for one in known.of_sentence(item.sentence) if one.typed.start in places)
+    return own if gives_all(own, law) and all(is_value(one, known) for one in own) else ()
 
 
 def point_at(
