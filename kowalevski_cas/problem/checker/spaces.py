@@ -64,6 +64,7 @@ class Space(Formulas):
         self.mirror = None
         old = self._change(before, data["change"]) if "change" in data else []
         self._move(items(data.get("field", [])), old)
+        conditions = self._grant(conditions)
         for step in late.values():
             self.step(*step)
             conditions = self._grant(conditions)
@@ -114,11 +115,11 @@ class Space(Formulas):
         self.env[name] = (generator if value.terms or kind == "power" else value,)
 
     def _grant(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
-        """Know that formulas do not vanish; returns those with names that are not defined yet."""
+        """Know that formulas do not vanish; returns those with what is not defined yet."""
         waiting = []
         for names, tree in conditions:
             self.ring.spend(1 + (len(names) >> 3))
-            if names <= self.env.keys():
+            if names <= self.env.keys() and (self.rates is not None or not derives(tree)):
                 self.assume(tree, granted=True)
             else:
                 waiting.append((names, tree))
