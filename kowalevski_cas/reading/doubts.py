@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import replace
 
-from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power, Root
+from kowalevski_cas.notation import Derivative, Name, Number, PoissonBracket, Power, Relation, Root
 from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.derivation import Doubt
@@ -49,6 +49,7 @@ _NUMBERED = re.compile(r"_\{?\d")
 
 _SMALL = re.compile(r"\\(?:to|rightarrow|ll|approx|simeq)(?![A-Za-z])")
 """The signs of limits, and of approximations."""
+_UNEQUAL = frozenset({r"\ne", r"\neq"})
 _MEANS = (
     r"(?!§|\(|\\|\d|(?:this|that|th[eo]se|all|any|every|each|both|our|its|their|which|what|it|them|arbitrary|general"
     r"|particular|fact|view|virtue|accordance|agreement|analogy|addition|turn|short|order|terms|other\s+words|effect"
@@ -122,6 +123,8 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind in OF_LINEAR_PART and may_be_of_squares(item, known):
         return Doubt.ALWAYS
+    if isinstance(item.formula, Relation) and {*item.formula.signs} <= _UNEQUAL:
+        return Doubt.ALWAYS  # it may be meant that it does not always vanish
     if role.kind == SAID:
         return None
     if role.kind == "identity" and (_is_of_a_motion(item, known) or _has_one_of_signs(item)):

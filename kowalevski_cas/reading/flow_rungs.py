@@ -104,6 +104,8 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
     if rows:
         law = Law(rows, known.names)
         point = equations_of(dict.fromkeys(law.variables, "0"), item, law, known)
+    if kind is Eigenvalue and not (point or rows):
+        raise ValueError("not all coordinates of the point are printed")
     kinds = [(kind, says)]
     if at.role.kind == CHARACTERISTIC and may_be_of_frequencies(item, known):
         kinds.append((FrequencyEquation, "this is the equation of the frequencies near this point"))

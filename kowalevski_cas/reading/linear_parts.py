@@ -165,7 +165,23 @@ def eigenvalue(item: SourceStatement, known: Known) -> StatementRole | None:
     if point and not _is_only_named(item, point, known):
         why = "an eigenvalue of the linear part, by the words before it"
         return StatementRole(CLAIM, why, KIND, item.bare[:1] if item.members else ())
+    if not point and _is_somewhere(item, known):
+        return StatementRole(CLAIM, "an eigenvalue, by the words before it", KIND)
     return None
+
+
+def _is_somewhere(item: SourceStatement, known: Known) -> bool:
+    """Whether words say it to be one where some of what moves has a value, and not all of it."""
+    words = before_list(item.before)
+    found = next(filter(None, (said.search(words) for said in _SAID)), None)
+    if found is None or found["where"] != "§" or _OF_VALUES.search(words) or item.members:
+        return False
+    typed = [*dict.fromkeys(one.typed.start for one in known.of_sentence(item.sentence))]
+    place = words[: found.start("where")].count("§")
+    beside = known.of_sentence(item.sentence)
+    return any(
+        one.typed.start in typed[place : place + 1] and is_value(one, known) for one in beside
+    )
 
 
 def _is_only_named(item: SourceStatement, point: Sequence[SourceStatement], known: Known) -> bool:

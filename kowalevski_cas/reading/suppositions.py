@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Formula, Name, Number, Power, Relation, Vector
+from kowalevski_cas.notation import Formula, Name, Number, PoissonBracket, Power, Relation, Vector
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
@@ -60,6 +60,7 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         claimed = claimed and not _is_in_apposition(item)
         claimed = claimed or (not item.typed.inline and bool(cue("claim", item.tail)))
         claimed = claimed or (cue("further", item.lead) != "" and not supposing(item))
+        claimed = claimed or _is_said_not_to_vanish(item, known)
         given = any(known.is_defined(name) for name in item.names)
         claimed = claimed or (given and bool(_ALWAYS.search(item.lead) or _SINCE.match(item.tail)))
         if not claimed and _is_concluded(item):
@@ -73,6 +74,23 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         why = "an inequality that is supposed"
         return StatementRole(ASSUMPTION, why, "inequality", tuple(sorted(item.names)))
     return StatementRole(CLAIM, "an inequality that is claimed", "inequality")
+
+
+_FOR_SOME = re.compile(
+    r"\b(?:where|with|if|when(?:ever)?|unless|provided|for|since|because|as|at|on|such\s+that|which|where|whose"
+    r"|где|если|когда|при|так\s+как|для)\b[^§]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which something is said of what they speak of."""
+
+
+def _is_said_not_to_vanish(item: SourceStatement, known: Known) -> bool:
+    """Whether a rate, or a bracket, is said not to be zero, and no words suppose it."""
+    assert isinstance(item.formula, Relation)
+    bracket = any(isinstance(node, PoissonBracket) for node in item.formula.nodes())
+    nonzero = {*item.formula.signs} <= {r"\ne", r"\neq"} and bool(known.varying(item.names))
+    told = supposing(item) or _FOR_SOME.search(item.lead)
+    return nonzero and (item.derives or bracket) and not told
 
 
 _COMPARING = {"<", ">", r"\ll", r"\gg", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}

@@ -46,7 +46,9 @@ def test_at_the_origin(words, verdict):
             r"The eigenvalues at $e$ are $-1$ and $1-k$, and those at $c$ are \[-1,\qquad \frac{1-k}{k+1} .\]",
             [True, True, False],
         ),
-        (r"The eigenvalues at $a=1$, $b=0$ are $-1$.", []),
+        (r"The eigenvalues at $a=1$, $b=0$ are $-1$.", [True]),
+        (r"The eigenvalues at $a=1$, $b=0$ are $-2$.", [False]),
+        (r"The eigenvalues at $a=1$ are $-1$.", []),
         (r"Linearization at $e$ gives the exponents $-1$ and $1-k$.", [True, True]),
         (r"Linearization at $e$ gives the exponents $-1$ and $1+k$.", [True, False]),
         (r"At $e$ we have the eigenvalues \[\mu=-1,\quad\mu=k-1.\]", [True, False]),
@@ -164,11 +166,14 @@ DAMPED = r"Let \[ \dot x=-ax,\qquad \dot y=-by+x^2 \] with positive constants $a
     [
         (r"The eigenvalues at the origin are $-a<0$ and $-b<0$.", [True, True]),
         (r"The eigenvalues at the origin are $-2a<0$ and $-b>0$.", [False, False]),
-        (r"The eigenvalues at the origin are $\lambda=-a<0$ and $\mu=-2b<0$.", [True, False]),
+        (
+            r"The eigenvalues at the origin are $\lambda=-a<0$ and $\mu=-2b<0$.",
+            [True, True, False, False],
+        ),
         (r"The trace of the linear part at the origin is $-a-b<0$.", [True]),
         (r"The trace of the linear part at the origin is $-a-2b<0$.", [False]),
-        (r"The determinant of the linear part at the origin is $D=ab>0$.", [True]),
-        (r"The determinant of the linear part at the origin is $D=a>0$.", [False]),
+        (r"The determinant of the linear part at the origin is $D=ab>0$.", [True, True]),
+        (r"The determinant of the linear part at the origin is $D=a>0$.", [False, False]),
     ],
 )
 def test_what_has_a_sign_is_still_what_words_call_it(words, greens):
@@ -230,3 +235,29 @@ def test_what_is_so_at_one_of_two_points_is_not_green_at_both():
     law = r"Let \[\dot x=y,\qquad \dot y=x^2-1 .\] The points $(\pm1,0)$ are equilibria. "
     found = verdicts(law + r"The eigenvalues at $(\pm1,0)$ are $\pm\sqrt2$.")
     assert [one.green for tex, one in found.items() if "sqrt" in tex] in ([], [False])
+
+
+WELL = r"Consider \[\dot x=y,\qquad\dot y=x-x^3.\] "
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "true"),
+    [
+        ("$x=1$, $y=0$", r"\pm i\sqrt2", True),
+        ("$x=1$, $y=0$", r"\pm2i", False),
+        ("$x=0$ and $y=0$", r"\pm1", True),
+        ("$x=0$ and $y=0$", r"\pm2", False),
+    ],
+)
+def test_a_point_is_read_from_the_equations_of_its_coordinates(place, value, true):
+    found = reading(rf"{WELL}At the equilibrium {place} the eigenvalues are ${value}$.")
+    outcomes = ReadingSession(found, timeout=20).outcomes
+    own = [f.claim for f in found.formulas if f.item.printed.tex.strip() == value]
+    assert [outcomes[claim.id].verdict.green for claim in own] == [true] * 2
+
+
+@pytest.mark.parametrize("value", [r"\pm1", r"\pm i\sqrt2"])
+def test_where_a_coordinate_is_left_out_an_eigenvalue_has_no_verdict(value):
+    found = reading(rf"{WELL}At $x=1$ the eigenvalues are ${value}$.")
+    own = [f for f in found.formulas if f.item.printed.tex.strip() == value]
+    assert own and all(f.role.name == CLAIM and f.claim is None and f.message for f in own)

@@ -431,3 +431,29 @@ def test_values_of_a_constant_of_the_law_are_supposed_nowhere_else():
 def test_an_apposition_supposes_what_it_says_of_constants(claim, green):
     words = r"Hence a stiff spring, $\omega>1$, is stable. Then \[ \omega^2x^2\%s x^2. \]"
     assert verdicts(OSCILLATOR + words % claim)[rf"\omega^2x^2\{claim} x^2"].green is green
+
+
+PLANE = r"Let $H=\frac12(p_x^2+p_y^2)+\frac12(x^2+y^2)$ and $K=xp_y-yp_x$. "
+WELL = r"Consider $\dot x=y$, $\dot y=x-x^3$. "
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        rf"{PLANE}The function $K^2$ is an integral, and $\{{K,H\}}\ne0$.",
+        rf"{WELL}The function $F=xy$ has $\dot F\neq0$.",
+        rf"{WELL}We have $\frac d{{dt}}(y^2-x^2+\frac12x^4)\ne0$.",
+    ],
+)
+def test_a_rate_that_is_said_not_to_vanish_is_claimed(text):
+    found = [f for f in reading(text).formulas if r"\ne" in f.item.printed.tex]
+    assert [f.role.name for f in found] == [CLAIM]
+    verdict = [v for tex, v in verdicts(text).items() if r"\ne" in tex]
+    assert verdict == [Verdict.UNDECIDED]
+
+
+@pytest.mark.parametrize("word", ["If", "Suppose that", "Where"])
+def test_a_rate_that_does_not_vanish_may_be_supposed(word):
+    text = rf"{WELL}{word} $\dot x\ne0$, the function "
+    assert [*verdicts(rf"{text}$y^2-x^2+\frac12x^4$ is an integral.").values()][-1].green
+    assert not [*verdicts(rf"{text}$y^2-x^2-\frac12x^4$ is an integral.").values()][-1].green
