@@ -113,6 +113,7 @@ def doubt_of(
         role.kind in ("solution", "energy", MATRIX, POINT, MARKED)
         or role.reason == FOUND
         or rung.claim.scene.jets  # words may say which functions are meant
+        or _is_unequal(item)
         or _has_momentum(rung, known)
         or _is_in_coordinates_of_words(rung, known)
         or _is_called_real(rung, known)
@@ -123,8 +124,6 @@ def doubt_of(
         return Doubt.ALWAYS
     if role.kind in OF_LINEAR_PART and may_be_of_squares(item, known):
         return Doubt.ALWAYS
-    if isinstance(item.formula, Relation) and {*item.formula.signs} <= _UNEQUAL:
-        return Doubt.ALWAYS  # it may be meant that it does not always vanish
     if role.kind == SAID:
         return None
     if role.kind == "identity" and (_is_of_a_motion(item, known) or _has_one_of_signs(item)):
@@ -140,6 +139,11 @@ def doubt_of(
     if item in known.apart or (role.kind not in ("integral", EIGENVALUE) and not item.derives):
         return Doubt.UNLESS_MENDED
     return None if _is_sure(item, rung, candidates, parts) else Doubt.UNLESS_MENDED
+
+
+def _is_unequal(item: SourceStatement) -> bool:
+    """Whether something is said not to be zero: it may be meant that it is not so always."""
+    return isinstance(item.formula, Relation) and {*item.formula.signs} <= _UNEQUAL
 
 
 def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:

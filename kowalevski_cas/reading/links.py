@@ -74,6 +74,9 @@ def _links(tex: str, start: int, end: int, signs: list[Token]) -> list[str]:
 
 
 def _is_value(left: str, right: str, chained: object) -> bool:
-    r"""Whether a chain ends in the value of what is no name, as :math:`b=2\sigma=2`."""
-    names = names_in(left)
-    return bool(chained and names) and not names_in(right) and not re.fullmatch(NAME, left.strip())
+    r"""Whether a chain ends in the value of what is no name, as :math:`b=2\sigma=2`.
+
+    Brackets are names: of :math:`\{x,p\}=\{y,q\}=1` each has the value.
+    """
+    named = re.fullmatch(NAME, left.strip()) or re.search(r"\\[{|]|[\[,]|\\[lr]?angle", left)
+    return bool(chained and names_in(left)) and not names_in(right) and not named

@@ -43,3 +43,10 @@ def test_the_links_are_where_the_chain_is():
     found = reading(r"Let $\dot x=-bx$ and $b=2a>0$. We have $\dot x=-2ax$.")
     printed = {one.item.printed.tex.strip() for one in found.formulas}
     assert printed == {r"\dot x=-bx", "b=2a", "2a>0", r"\dot x=-2ax"}
+
+
+@pytest.mark.parametrize(("right", "true"), [("y", True), ("x", False)])
+def test_brackets_with_one_value_are_in_one_chain(right, true):
+    text = rf"""Let $H=\frac12(p_x^2+p_y^2)+\frac12(x^2+y^2)$ and $K=xp_y-yp_x$. Then $\{{K,x\}}={right}$,
+    where $\{{x,p_x\}}=\{{y,p_y\}}=1$."""
+    assert [one.green for one in verdicts(text).values()] == [true]
