@@ -19,6 +19,12 @@ from kowalevski_cas.paper.chains import NAME, names_in
 from kowalevski_cas.source.displays import TypedFormula
 
 _ORDERS = frozenset({"<", ">", r"\le", r"\ge", r"\ne"})
+_NO_CONSTANT = frozenset({"accent", "prime"})
+"""The kinds of tokens of what moves."""
+_BROKEN = re.compile(r"&|\\\\|\\int(?![A-Za-z])")
+"""Breaks in a display, and integrals: what stands there is no chain of constants in one row."""
+_MULTIPLE = re.compile(rf"(?:\s|\d|/|\\,|\\cdot(?![A-Za-z])|{NAME})+")
+"""A product of names and numbers."""
 _OPENING, _CLOSING = frozenset({"open", "{"}), frozenset({"close", "}"})
 
 
@@ -37,10 +43,10 @@ def with_links(formulas: Iterable[TypedFormula], moving: Collection[str]) -> Ite
 def _side_by_side(tex: str, printed: Iterable[StatementTokens], moving: Collection[str]) -> str:
     for tokens, start, end in sorted(printed, key=lambda one: -one.start):
         own = tex[start:end]
-        if not names_in(own) & {*moving} and not any(one.kind == "accent" for one in tokens):
-            signs = [*_signs(tokens)]
-            if links := _links(tex, start, end, signs):
-                tex = f"{tex[:start]}{', '.join(links)}{tex[end:]}"
+        if names_in(own) & {*moving, "t"} or any(one.kind in _NO_CONSTANT for one in tokens):
+            continue
+        if not _BROKEN.search(own) and (links := _links(tex, start, end, [*_signs(tokens)])):
+            tex = f"{tex[:start]}{', '.join(links)}{tex[end:]}"
     return tex
 
 
@@ -74,9 +80,6 @@ def _links(tex: str, start: int, end: int, signs: list[Token]) -> list[str]:
 
 
 def _is_value(left: str, right: str, chained: object) -> bool:
-    r"""Whether a chain ends in the value of what is no name, as :math:`b=2\sigma=2`.
-
-    Brackets are names: of :math:`\{x,p\}=\{y,q\}=1` each has the value.
-    """
-    named = re.fullmatch(NAME, left.strip()) or re.search(r"\\[{|]|[\[,]|\\[lr]?angle", left)
-    return bool(chained and names_in(left)) and not names_in(right) and not named
+    r"""Whether a chain ends in the value of a multiple of a name, as :math:`b=2\sigma=2`."""
+    is_multiple = _MULTIPLE.fullmatch(left) and not re.fullmatch(NAME, left.strip())
+    return bool(chained and names_in(left) and is_multiple) and not names_in(right)
