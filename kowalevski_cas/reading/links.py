@@ -19,8 +19,7 @@ from kowalevski_cas.paper.chains import NAME, names_in
 from kowalevski_cas.source.displays import TypedFormula
 
 _ORDERS = frozenset({"<", ">", r"\le", r"\ge", r"\ne"})
-_NO_CONSTANT = frozenset({"accent", "prime"})
-"""The kinds of tokens of what moves."""
+_RATE = re.compile(r"\\d{1,4}ot(?![A-Za-z])|'|\\prime|\\frac\s*\{\s*d")
 _BROKEN = re.compile(r"&|\\\\|\\int(?![A-Za-z])")
 """Breaks in a display, and integrals: what stands there is no chain of constants in one row."""
 _MULTIPLE = re.compile(rf"(?:\s|\d|/|\\,|\\cdot(?![A-Za-z])|{NAME})+")
@@ -31,7 +30,7 @@ _OPENING, _CLOSING = frozenset({"open", "{"}), frozenset({"close", "}"})
 def with_links(formulas: Iterable[TypedFormula], moving: Collection[str]) -> Iterator[TypedFormula]:
     """The formulas, with the links of their chains of constants side by side.
 
-    ``moving`` are the names of which rates are printed: what they stand in stays whole.
+    ``moving`` are the names of which rates are printed: of these it is one chain.
     """
     for one in formulas:
         tex = one.tex
@@ -42,10 +41,8 @@ def with_links(formulas: Iterable[TypedFormula], moving: Collection[str]) -> Ite
 
 def _side_by_side(tex: str, printed: Iterable[StatementTokens], moving: Collection[str]) -> str:
     for tokens, start, end in sorted(printed, key=lambda one: -one.start):
-        own = tex[start:end]
-        if names_in(own) & {*moving, "t"} or any(one.kind in _NO_CONSTANT for one in tokens):
-            continue
-        if not _BROKEN.search(own) and (links := _links(tex, start, end, [*_signs(tokens)])):
+        signs = [] if _BROKEN.search(tex[start:end]) else [*_signs(tokens)]
+        if links := _links(tex, start, end, signs, moving):
             tex = f"{tex[:start]}{', '.join(links)}{tex[end:]}"
     return tex
 
@@ -59,12 +56,17 @@ def _signs(tokens: Iterable[Token]) -> Iterator[Token]:
             yield token
 
 
-def _links(tex: str, start: int, end: int, signs: list[Token]) -> list[str]:
-    """What the links of a chain say, equalities together; none if it says one thing only."""
+def _links(
+    tex: str, start: int, end: int, signs: list[Token], moving: Collection[str]
+) -> list[str]:
+    """What the links of a chain say, equalities together; none if it says one thing only.
+
+    None if a rate stands in it, or a link with a sign of another kind is between what moves.
+    """
     kinds = {sign.text for sign in signs}
     edges = [start, *(place for sign in signs for place in (sign.start, sign.end)), end]
     members = [tex[one:other] for one, other in zip(edges[::2], edges[1::2], strict=True)]
-    if not EQUALITIES & kinds or not kinds <= _ORDERS | EQUALITIES:
+    if not EQUALITIES & kinds or not kinds <= _ORDERS | EQUALITIES or _RATE.search(tex[start:end]):
         return []
     found, run = list[str](), members[0]
     for sign, left, right in zip(signs, members, members[1:], strict=False):
@@ -72,11 +74,18 @@ def _links(tex: str, start: int, end: int, signs: list[Token]) -> list[str]:
         if goes_on:
             run = f"{run}={right}"
             continue
+        if not (_is_constant(left, moving) and _is_constant(right, moving)):
+            return []
         found += [run] if run != left else []
         found.append(f"{left}{tex[sign.start : sign.end]}{right}")
         run = right
     found += [run] if run != members[-1] else []
     return found if len(found) > 1 else []
+
+
+def _is_constant(member: str, moving: Collection[str]) -> bool:
+    """Whether nothing that moves, and no time, stands in a member."""
+    return names_in(member).isdisjoint({*moving, "t"})
 
 
 def _is_value(left: str, right: str, chained: object) -> bool:

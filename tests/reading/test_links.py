@@ -17,6 +17,7 @@ PAIRS = [
     (rf"{EULER}Let $a=b>c$. Then ", r"$\dot p=(a-c)qr$."),
     (rf"{BODY}For $A=B=2C>0$ we have ", r"$2\dot p=qr$."),
     (r"Let $\dot x=y$, $\dot y=-\omega^2x$, where $\omega^2=g/l>0$. Then ", r"$l\dot y=-gx$."),
+    (r"Let $\dot x=y$, $\dot y=-kx$, where $y(0)=0$ and $x(0)=a>0$. Then ", r"$y^2+kx^2=ka^2$."),
     (r"For $a,b=1$ the system $\dot x=ay$, $\dot y=-bx$ gives ", r"$\ddot x=-x$."),
 ]
 
