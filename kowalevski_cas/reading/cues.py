@@ -27,6 +27,18 @@ _SUCH = (
 )
 """What may be said of a formula: that it is an integral, or holds."""
 
+_NEGLECTED = r"""
+        (?<!not\s)(?<!not\sbe\s)\b(?:neglect|ignor|disregard)\w*
+        \b(?:omit|drop|discard)(?:s|ping|ting|ped|ted|ing|ed)?\s+(?:the\s+)?(?:\w+\s+)?(?:§|friction|damping|drag|terms?|it|them)\b
+        \blet\s+§\s+(?:vanish|tend|go)\b \bset\w*\s+(?:\w+\s+)?aside\b
+        \b(?:to|in|at)\s+(?:the\s+)?zero(?:th|eth)?[\s-]+order\b \bzeroth\b \bof\s+order\s+zero\b
+        \b(?:were\s+it|it\s+were)\s+not\s+for\b
+        \bif\s+(?:§|friction|damping)\s+were\s+(?:absent|zero)\b
+        (?<!нельзя\s)\bпренебре\w* \bне\s+учитыва\w+ \bотбрасыва\w+
+        \bв\s+нулев\w+\s+(?:приближени|порядк)\w+
+        \bvernachl(?:ä|\\"a)ssig\w* \bn(?:é|\\'e)glige\w*"""
+"""What is left out, so that something else moves than what is printed."""
+
 CUES: dict[str, str] = {
     "integral": rf"""
         {_OF_MAP}
@@ -345,7 +357,9 @@ CUES: dict[str, str] = {
         \baveraged\s+(?:\w+\s+){0,2}(?:equations?|systems?|models?|problems?|dynamics|flow|motion)\b
         (?<!\bбез\s)(?<!\bдо\s)\bусреднени\w+ \bусредн(?:яя|ив)\b
         \bусредн[её]нн\w+\s+(?:\w+\s+)?(?:уравнени|систем|задач|движени)\w+""",
-    "ideal case": r"""
+    "neglected": _NEGLECTED,
+    "ideal case": rf"""
+        {_NEGLECTED}
         \bwithout\b \babsence\b \babsent\b \bun(?:damped|forced|driven|perturbed)\b \bconservative\b
         \blinear\s+(?:oscillator|pendulum|system|case|problem) \bfree\s+(?:of|from)\b
         friction(?:less|\s+is\s+absent) \blossless\b \bbetween\s+(?:the|two)\b
@@ -395,13 +409,29 @@ CUES: dict[str, str] = {
         \bunder\s+the\s+conditions?\s*$ \bon\s+condition\s+that\s*$
         (?:если|когда|при(?:\s+\w+)?|в\s+случае|при\s+условии)\s*$""",
     "only if": r"""
-        \bonly\s+(?:if|when|for|in\s+the\s+case)\b \biff\b
+        \b(?:only|exactly|precisely|solely)\s+(?:if|when(?:ever)?|for|in\s+the\s+(?:\w+\s+)?case)\b
+        \biff\b
+        \bjust\s+(?:if|when|in\s+the\s+case|for\s*§) \bnone\s+of\b
+        \bnecessary\s+(?:and\s+sufficient|conditions?|that|for|in\s+order)\b
+        \bнеобходим\w+\s+(?:и\s+достаточн\w+|услови\w+) \bни\s+одн\w+\s+из\b
+        \bif,?\s+(?:and|but),?\s+only\s+if\b
+        \b(?:only|exactly|precisely|just|at\s+most)\s+one\s+of\b \bnot\s+both\b \balmost\s+no\b
+        \b(?:and|but)\s+(?:not\s+otherwise|otherwise\s+not)\b \bnowhere\s+else\b
+        \b(?:and|but)\s+(?:for|in|at|on)\s+no\s+other\w*
+        \bbut\s+not\s+(?:(?:for|on|in|at)\s+)?(?:all|every|each|any|always|everywhere|elsewhere|general)\b
+        \b(?:for|if|when|on|at|in)\s+(?:(?:all|very|some|sufficiently|small|large|positive|negative|the|level|curve|set|case)\s+)*§[\s,]*(?:only|alone)\b
+        \b(?:becomes?|is|are)\s+(?:then\s+)?(?:invalid|spoiled|broken)\b
+        \badiabatic\w*\s+(?:invarian|conserv)\w+
         \bonly\s+(?:an?\s+integral|constant|conserved|preserved|valid|true)\b
         \b(?:integrals?|constant|conserved|preserved|invariant|holds?|valid|true)\s+only\b
         \b(?:if|when|whenever|provided(?:\s+that)?)\s+(?:its|the)\s+(?:\w+\s+){0,2}(?:derivative|rate|bracket)s?\b[^.;§]*\b(?:vanish\w*|zero)
         ^\W*only\s+(?:on|along|at|in|during|near|by|rarely|seldom|sometimes|exceptionally)\b
         \bfor\s+(?:\w+\s+){0,3}(?:motions|solutions|orbits|trajectories|conditions|data|values)\s+(?:only|alone)\b
         \b(?:few|hardly\s+any|almost\s+no)\s+(?:\w+\s+)?(?:motions?|solutions?|orbits?|trajector\w+|initial)\b
+        \b(?:ровно|только|лишь)\s+одн\w+\s+из\b \bно\s+не\s+об[ае]\b
+        \bв\s+точности\s+(?:при|тогда)\b
+        \bи\s+(?:нигде|никогда|ни\s+при\s+каких)\s+(?:более|больше|друг\w+)\b
+        \bадиабатическ\w+\s+инвариант\w*
         тогда\s+и\s+только (?:только|лишь)\s+(?:если|при|для|вдоль|иногда|изредка)\b
         \b(?:интеграл\w*|постоян(?:на|но|ны|ен)|сохраня\w+)\s+(?:только|лишь)\b
         ^\W*(?:только|лишь)\s+(?:на|в)\b \bнемног\w+\s+(?:движени|решени|орбит|траектори)\w+""",

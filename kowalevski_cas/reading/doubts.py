@@ -164,6 +164,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or _is_not_deduced(item, known)
         or is_of_a_place(item, known)
         or bool(cue("ideal case", item.words))
+        or _is_of_what_is_left(item, known)
         or _is_below_other_rates(item, known)
         or _is_below_other_energy(item, known)
         or _is_before_its_law(item, known)
@@ -172,6 +173,12 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or is_of_maps(printed)
         or (is_power_of_difference(printed) and bool(known.untied((r"\Delta", r"\delta"))))
     )
+
+
+def _is_of_what_is_left(item: SourceStatement, known: Known) -> bool:
+    """Whether its paragraph neglects something before it: what moves then may be another system."""
+    start = max(item.paragraph, item.section.start)
+    return bool(cue("neglected", known.paper.prose.between(start, item.typed.start)))
 
 
 def _is_of_another(item: SourceStatement, known: Known) -> bool:

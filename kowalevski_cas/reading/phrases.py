@@ -59,6 +59,25 @@ def clause(item: SourceStatement) -> str:
     return f"{_own_lead(item)[-60:]} § {_CLAUSE.split(tail, maxsplit=1)[0][:40]}"
 
 
+_NEXT = r"(?:,\s*|\b)(?:and|but|while|whereas|и|а|но)\s+(?:\w+\s+){0,3}"
+_ALONE = r"[\s~]*(?:is|remains|stays|явля\w+|сохраняется|постоян(?:на|ен|но))\b"
+_AGAIN = re.compile(
+    rf"[;:]|\b(?:so(?!\s+(?:is|are|do|does)\b)|hence|thus|therefore|whence)\b|{_NEXT}(?=§{_ALONE})|,\s*{_NEXT}(?=§)",
+    re.IGNORECASE,
+)
+"""Where something begins to be said of another formula."""
+_BEGINS = re.compile(rf"{_NEXT}$", re.IGNORECASE)
+_IS_ALONE = re.compile(_ALONE, re.IGNORECASE)
+
+
+def said_of(item: SourceStatement) -> str:
+    """The words of the sentence around a statement, as far as they are not said of another one."""
+    before = _AGAIN.split(item.before)[-1]
+    if (begins := _BEGINS.search(before)) and _IS_ALONE.match(item.after):
+        before = before[begins.end() :]
+    return f"{before} § {_AGAIN.split(item.after)[0]}"
+
+
 def is_conditional(item: SourceStatement) -> bool:
     """Whether a statement stands in a clause that supposes something, as its sentence began."""
     over = max(last_cue("then", item.before), last_cue("claim", item.before))
@@ -185,7 +204,7 @@ _ONE_IS = re.compile(
 
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
-    if _SO.search(item.lead) and (said := cue("integral", item.before)):
+    if said := said_again(item, "integral"):
         return said
     tail = "" if _ONE_IS.match(item.after) else joined_tail(item)[:60]
     if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
@@ -333,11 +352,44 @@ _MAKES = re.compile(
     r"[\s~]*(?:define|form|give|determine|constitute|зада|образу)\w*\s", re.IGNORECASE
 )
 _SO = re.compile(
-    r"\bso\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$"
+    r"\b(?:so|neither|nor)\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$"
     r"|\bas\s+(?:is|are)(?:\s+(?:also|the|its|their|both|functions?|quantit(?:y|ies)|products?|sums?"
     r"|differences?|moment(?:um|a)|energ(?:y|ies)|components?))*[\s~]*$"
+    r"|,\s*(?:and\s+)?(?:(?:thus|hence|therefore|consequently|so)\s+)?(?:also|likewise|similarly|equally)"
+    r"(?:\s+(?:the|its|their|\w+))?[\s~]*$"
+    r"|,\s*(?:(?:а|и)\s+)?(?:поэтому\s+|значит,?\s+)?(?:также|тоже)(?:\s+и)?[\s~]*$",
+    re.IGNORECASE,
 )
 """How words end behind which stands what is the same as what was spoken of before."""
+_TOO = re.compile(
+    r"[\s,~]*(?:(?:is|are)\s+)?(?:(?:another|also|again)\s+)?(?:one\s+(?=of\b|for\b)|ones\s+(?=of\b|for\b)"
+    r"|(?:(?:one|so)[\s,]*)?(?:too|as\s+well|also|likewise|similarly)\b\s*(?:$|[.;]|,(?!\s*§)))"
+    r"|[\s,~]*(?:[-—]+\s*)?(?:тоже|также)\s*(?:$|[.;,])",
+    re.IGNORECASE,
+)
+"""How words begin behind what is the same as what was spoken of before."""
+_OPENS = re.compile(
+    r"(?:\\footnote\s*\{|\\item(?:\s*\[[^\]]*\])?|\W|\b(?:and|but|и)\b)*", re.IGNORECASE
+)
+"""What may stand before the first words of a sentence."""
+
+
+def said_again(item: SourceStatement, name: str) -> str:
+    """The words by which what was spoken of before is something, and by others this is so, too.
+
+    They stand in its sentence, or in the one before, if this denies and supposes nothing.
+    """
+    so = None if VERB.match(item.tail) else _SO.search(item.lead)
+    if not (so or _TOO.match(item.tail)):
+        return ""
+    words = item.before[: len(item.before) - len(item.lead) + so.start()] if so else item.before
+    if _OPENS.fullmatch(words):
+        words = item.earlier[0] if item.earlier else ""
+        if cue("suppose", words) or DENIES_ALL.match(words):
+            return ""
+    return "" if cue("denied", words) else cue(name, words)
+
+
 _LISTS = re.compile(
     r"\b(?:has|have|admits?|possess(?:es)?|by|are|is|namely|following|име[её]т|имеют|допуска\w+|на)\b"
     r"(?:\s+\w+){0,4}[\s:,~]*$",
@@ -400,8 +452,6 @@ def words_of(item: SourceStatement, name: str) -> str:
 
     What they say of another formula, or of a set on which something holds, is not said of it.
     """
-    if _SO.search(item.lead):
-        return cue(name, item.before)
     if said := words_behind(item, name):
         return said
     lead = _NAMELY.sub("", joined_lead(item))[-60:]

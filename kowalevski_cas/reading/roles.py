@@ -56,6 +56,8 @@ from kowalevski_cas.reading.phrases import (
     listed_words,
     right_behind,
     right_of,
+    said_again,
+    said_of,
     words_of,
 )
 from kowalevski_cas.reading.polar import radius
@@ -137,7 +139,8 @@ def _says_else(item: SourceStatement, known: Known) -> str:
     if said := in_several_cases(item, known):
         return f"“{said}” supposes several values of a constant"
     timed = any(known.times & known.below(name) for name in item.names)
-    said = cue("in the mean", clause(item)) or cue("in the mean", item.lead)
+    words = said_of(item)
+    said = cue("only if", words) or cue("in the mean", words)
     said = said or (cue("timeless", item.words) if timed else "")
     return said and f"“{said}” says another thing than is judged"
 
@@ -193,19 +196,16 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(NOTATION, "says on what it depends")
     if isinstance(item.formula, Relation):
         return None
-    if isinstance(item.formula, Name):
-        spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
-        said = cue("integral", item.tail[:40]) if spoken_of else ""
-        said = said or listed_words(item, "integral") or _said_before(item, known)
-        if not (said and known.varies(item.formula.name)):
-            return _named_alone(item.formula.name, item, known)
-    else:
-        said = words_of(item, "integral") or listed_words(item, "integral")
+    said = _called_integral(item, known)
+    if isinstance(item.formula, Name) and not (said and known.varies(item.formula.name)):
+        return _named_alone(item.formula.name, item, known)
     if said and known.varying(item.names):
         if role := unjudged(item, known):
             return role
         if setting := cue("another-law", item.words):
             return StatementRole(CLAIM, f"of a law that is not printed: “{setting}”", "another-law")
+        if about := cue("approximate", clause(item)):
+            return StatementRole(CLAIM, f"“{about}” is said of it", "approximate")
         if measure := _OF_MEASURE.search(item.lead):
             why = f"“{said}” is said of a measure: “{measure[0].strip()}”"
             return StatementRole(CLAIM, why, "form")
@@ -213,6 +213,17 @@ def expression(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(CLAIM, f"“{said}” is said of a differential form", "form")
         return StatementRole(CLAIM, f"“{said}” is said of it", "integral")
     return StatementRole(OTHER, "an expression: nothing is stated")
+
+
+def _called_integral(item: SourceStatement, known: Known) -> str:
+    """The words that call a name, or an expression, an integral."""
+    if isinstance(item.formula, Name):
+        spoken_of = VERB.match(item.tail) and not _BELONGING.search(item.lead)
+        said = cue("integral", item.tail[:40]) if spoken_of else ""
+        said = said or listed_words(item, "integral") or _said_before(item, known)
+    else:
+        said = words_of(item, "integral") or listed_words(item, "integral")
+    return said or _said_again(item, known)
 
 
 def _named_alone(name: str, item: SourceStatement, known: Known) -> StatementRole:
@@ -244,6 +255,15 @@ def _said_before(item: SourceStatement, known: Known) -> str:
     if said and not before.strip() and item.earlier and said[0].lower().startswith("so"):
         return cue("integral", item.earlier[0]) if _is_said_of_all(item, known) else ""
     return cue("integral", item.before[-80:]) if said else ""
+
+
+def _said_again(item: SourceStatement, known: Known) -> str:
+    """The words by which what was spoken of before is an integral, and so is this one.
+
+    What the sentence before says of some cases is said of these only.
+    """
+    said = said_again(item, "integral")
+    return said if said in item.words or _is_said_of_all(item, known) else ""
 
 
 def _is_said_of_all(item: SourceStatement, known: Known) -> bool:
@@ -353,8 +373,13 @@ _REASON = re.compile(
 
 def _denial(item: SourceStatement, known: Known) -> str:
     """The words beside a statement, or in the sentence behind it, that deny it, or compare it."""
-    said = "" if _explains(item) else cue("denied", clause(item)) or _denied_with_others(item)
+    spared = _explains(item) or (_NOR.search(item.lead) and said_again(item, "integral"))
+    said = "" if spared else cue("denied", clause(item)) or _denied_with_others(item)
     return said or cue("compared", item.lead) or _denied_behind(item, known)
+
+
+_NOR = re.compile(r"\b(?:neither|nor)\s+(?:does|do)\b[\w\s]*$", re.IGNORECASE)
+"""How words end behind which stands what does not change either."""
 
 
 def _denied_with_others(item: SourceStatement) -> str:

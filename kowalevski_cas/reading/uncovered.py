@@ -30,6 +30,7 @@ STATES: dict[str, str] = {
         \b(?:the\s+only|a\s+unique|the\s+unique|a\s+single|the\s+single)\s+(?:\w+\s+){0,2}(?:integral|invariant|solution)s?\b
         \bonly\s+one\s+(?:\w+\s+)?(?:integral|invariant|solution)s?\b
         \bno\s+other\s+(?:\w+\s+)?(?:integral|invariant|solution)s?\b
+        \band\s+the\s+only\s+(?:such\s+)?one\b
         \bединственн\w+\s+(?:\w+\s+)?(?:интеграл|инвариант|решени)\w*
         \bдруг\w+\s+(?:интеграл|решени)\w+\s+нет\b""",
     "every one": r"""
@@ -54,7 +55,11 @@ STATES: dict[str, str] = {
         независим(?:ы|ость)\w* \bзависим\w+""",
     "otherwise": r"""
         \bfor\s+no\s+other\b \bceas\w+\s+to\s+be\b \b(?:does|do)\s+not\s+hold\s+for\b
-        \b(?:it|this)\s+is\s+not[,.;]
+        \b(?:it|this)\s+is\s+not[,.;] \bconversely\b \bvice\s+versa\b \bno\s+longer\b
+        \b(?:unlike|in\s+contrast\s+(?:to|with)|as\s+opposed\s+to|contrary\s+to)\s+(?:\w+\s+){0,3}(?=\$)
+        \bfor\s+(?:all\s+|any\s+)?other\s+(?:values\b|choices\b|cases\b|(?=\$))
+        \b(?:this|it|that|which|the\s+(?:assertion|statement|result))\s+(?:also\s+|still\s+)?(?:remains|stays|is|holds)\s+(?:also\s+|still\s+)?(?:true|valid|correct|good)\s+(?:also\s+|even\s+|still\s+)?(?:for|if|when|without)\b
+        \bв\s+отличие\s+от\s+(?:\w+\s+){0,2}(?=\$) \bи\s+обратно\b \bобратно,
         \bthe\s+same\s+(?:is\s+(?:true|valid)|holds)\s+(?:for|if|when)\b
         \b(?:assumption|condition)\s+is\s+(?:not\s+necessary|unnecessary|superfluous|essential)\b""",
     "all rest": r"""
