@@ -45,6 +45,7 @@ from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading import CLAIM, UNREAD, JudgedStatement, Reading
+from kowalevski_cas.reading.besides import expressions, leads
 from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
@@ -54,6 +55,7 @@ from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY
 from kowalevski_cas.reading.uncovered import (
     ALL_EIGENVALUES,
+    OF_EXPRESSION,
     OF_LAW,
     Uncovered,
     passage_at,
@@ -483,7 +485,8 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     ends = [0, *(typed.end for _, typed in paper.displays)]
     for one in (formula.item.typed for formula in _skipped(reading)):  # and what leads up to them
         covered.append((max(end for end in ends if end <= one.start), one.end))
-    stated = sentences(paper.prose, paper.source, paper.expanded, covered)
+    led = leads(reading.parts)
+    stated = sentences(paper.prose, paper.source, paper.expanded, covered, led)
     left = [(span, passage) for span, kind, passage in stated if (span, kind) not in kinds]
     left += [
         (row.sentence, passage_at(row.sentence, OF_LAW, paper.source, paper.expanded))
@@ -494,6 +497,10 @@ def uncovered(reading: Reading) -> list[Uncovered]:
         for span in fewer_eigenvalues(
             [f.item for f in judged if f.role.kind == KIND], reading.parts.of
         )
+    ]
+    left += [
+        (one.sentence, passage_at(one.sentence, OF_EXPRESSION, paper.source, paper.expanded))
+        for one in expressions(reading.parts)
     ]
     left.sort(key=lambda one: one[0])
     return [*dict(reversed(left)).values()][::-1]

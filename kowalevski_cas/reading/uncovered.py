@@ -6,11 +6,22 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from kowalevski_cas.reading.text import Prose
+from kowalevski_cas.reading.text import MARK, Prose
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.expanded import Expanded
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.source.tokens import tokens_of
+
+SAYS_NOTHING = (
+    r"(?:(?:\w+ly|also|then|thus|often|sometimes|here|now|therefore|not)\s+)*(?:[\\§(]|(?:called|known"
+    r"|named|termed|denoted|given|found|obtained|derived|used|useful|needed|seen|shown|proved|proven"
+    r"|verified|checked|considered|studied|discussed|discovered|due|clear|obvious|eas[yi]\w*|evident"
+    r"|well|true|to|been|the|an?|our|its|their|nothing|just|hard|difficult|convenient|important"
+    r"|interesting|new|worth|possible|natural|sufficient|enough|usual|written|expressed|represented"
+    r"|defined|determined|introduced|chosen|taken|immediate|meant|left|neglected|similar|analogous|as"
+    r"|in\s+(?:fact|accordance|agreement)|of\s+(?:interest|importance|the\s+form))\b)"
+)
+"""How words go on behind “it is” that state nothing."""
 
 LONGEST = 500
 """Characters of a sentence that are kept."""
@@ -52,6 +63,7 @@ STATES: dict[str, str] = {
         периодич\w+ асимптотич\w+ (?:не)?ограничен\w+ монотонн\w+""",
     "independence": r"""
         \b(?:functionally\s+)?independent\b \bindependence\b \bdependent\b
+        \bdepends?\s+on\s+(?:each\s+other|one\s+another)\b
         независим(?:ы|ость)\w* \bзависим\w+""",
     "otherwise": r"""
         \bfor\s+no\s+other\b \bceas\w+\s+to\s+be\b \b(?:does|do)\s+not\s+hold\s+for\b
@@ -111,8 +123,63 @@ STATES: dict[str, str] = {
     "method": r"""
         \bquadratures?\b \bseparat\w+ \bhamiltonian\s+system\b \bcommut\w+ \binvolution\b
         квадратур\w+ раздел\w+ инволюци\w+""",
+    "shape": r"""
+        \b(?:is|are|being|along|describes?|traces?)\s+(?:an?\s+|the\s+)?(?:\w+\s+){0,2}(?:hyperbola[se]?|parabola[se]?|ellips(?:e|es|oids?)|cycloids?|helix|circles?|lines?)\b
+        \btor(?:us|i)\b \b(?:non-?)?compact\b \bconvex\b \bconcave\b \bdense(?:ly)?\b
+        \b(?:is|are)\s+(?:hyperbolic|elliptic|parabolic)\b
+        \b(?:гипербол|парабол|эллипс)(?:ой|ою|ом|ами?)\b \b(?:не)?компактн\w+ \bвыпукл\w+
+        \bвогнут\w+""",
+    "extremum": r"""
+        \b(?:maxim|minim)(?:um|a|al)\b
+        \b(?:is|are)\s+(?:\w+\s+)?(?:largest|smallest|greatest|least|highest|lowest)\b
+        \b(?:мак|ми)[сн]имум\w* \b(?:максимал|минимал)\w+""",
+    "grade": r"""
+        \b(?:is|are|being)\s+(?:(?:also|even|both|all|an?)\s+)*(?:linear|quadratic|cubic|quartic|polynomial|rational|homogeneous|even|odd|algebraic|transcendental)\b
+        \b(?:linear|quadratic|cubic|quartic|even|odd|homogeneous)\s+in\b
+        (?<!terms\s)(?<!equation\s)(?<!equations\s)\bof\s+(?:the\s+)?(?:zeroth|first|second|third|fourth|fifth|sixth)\s+(?:order|degree)\b
+        \b(?:линеен|линейн(?:а|ы|о)|квадратич(?:ен|на|ны|но)|однород(?:ен|на|ны))\b
+        \b(?:перв|втор|треть|четв[её]рт)\w+\s+(?:порядка|степени)\b""",
+    "course": r"""
+        (?<!the\s)(?<!\ba\s)(?<!an\s)(?<!of\s)(?<!its\s)(?<!to\s)(?<!this\s)\b(?:grows?|increases?|decreases?|decays?|shrinks?|changes|varies|converges?|diverges?|precess(?:es)?|drifts?|rotates?)\b
+        \bgo(?:es)?\s+to\s+infinity\b \b(?:in|de)creasing\b \bfinite\s+time\b
+        \blyapunov\s+functions?\b
+        \bleaves?\s+(?:it|them|the\s+\w+)\b(?!\s+(?:\w+\s+)?invariant)
+        \bвозраста\w+ \bубыва\w+ \bраст[её]т\b \bрастут\b""",
+    "direction": r"""
+        \bparallel\b \borthogonal\b \bperpendicular\b \btangent\b \bobtuse\b \bacute\b
+        \b(?:is|are|not|always)\s+(?:collinear|coplanar)\b \bpoints?\s+(?:to|towards|along)\b
+        \b(?:is|are)\s+directed\b \bintersects?\b
+        \bcontains?\s+(?=§|the\s+(?:origin|point|vector|axis|line)\b)
+        \bпараллельн\w+ \bортогональн\w+ \bперпендикулярн\w+ \bпересека\w+""",
+    "symmetry": r"""
+        \bgenerates?\s+(?:the|an?)\b \b(?:preserves?|conserves?|contracts?)\b
+        \bcorresponds?\s+to\s+(?:the\s+|an?\s+)?(?:invarian|symmetr|translation|rotation|shift)\w*
+        \b(?:is|are)\s+(?:not\s+)?(?:\w+ly\s+)?(?:canonical|symplectic|cyclic|ignorable|autonomous|reversible|symmetric|non-?degenerate|hamiltonian)\b
+        \bha(?:s|ve)\s+the\s+cyclic\b \bderives?\s+from\b
+        (?<!не\s)\bсохраняет\s+(?!ся)""",
+    "equality": r"""
+        \b(?:is|are|ha(?:s|ve))\s+(?:always\s+|all\s+|both\s+)?(?:equal|the\s+same|identical|opposite|twice|half)\b
+        \bha(?:s|ve)\s+(?:an?\s+)?constant\b \b(?:they|both|the\s+two)\s+coincide\b
+        \bdiffers?\s+from\b
+        \bconstant\s+(?:\w+\s+)?(?:acceleration|velocity|speed)\b
+        \bодинаков\w+ \bравны\b(?!\s+нулю)""",
+    "range": r"""
+        \btakes?\s+(?:on\s+)?(?:all|any|every|only|no)\b \bin\s+the\s+whole\b \beverywhere\b
+        \b(?:it|they|which)\s+(?:is|are)\s+(?:always\s+|never\s+)?(?:positive|negative|real|imaginary|non-?zero)\b
+        \bof\s+(?:unit\s+length|length\s+\w+)\b \bseparately\b
+        \bdepends?\s+(?:\S+\s+){0,3}explicitly\b \bexplicitly\s+depends?\b""",
+    "further": rf"""
+        (?:[,;§]|\b(?:and|but|so|while|whereas)\b)[\s,]*(?:so\s+(?:is|are)|(?:it|they|which|both|(?:its|their|whose)\s+(?:\w+\s+){{1,3}}?)\s*\b(?:is|are|has|have)\b(?!\s+{SAYS_NOTHING}))
+        (?:[,;]|\b(?:and|but|so)\b)\s*(?:each|every|all)\s+(?:\w+\s+){{1,4}}?(?:is|are|has|have)\b
+        [,;]\s*(?:the|its|their)\s+(?:\w+\s+){{1,5}}too\b""",
 }
 """Words that state something of a kind, in English and in Russian; spaces stand between them."""
+
+BESIDE = (
+    "shape", "extremum", "grade", "course", "direction", "symmetry", "equality", "range",
+    "further",
+)  # fmt: skip
+"""The kinds that are told where words neither lead up to what is read nor suppose something."""
 
 ALONE = (
     "stability", "period", "one alone", "every one", "value", "in involution", "tends", "orbit",
@@ -122,6 +189,9 @@ ALONE = (
 
 ALL_EIGENVALUES = "all eigenvalues: “eigenvalues are”"
 """What is told of a list of eigenvalues with fewer than there are."""
+
+OF_EXPRESSION = "expression: “nothing is stated”"
+"""What is told of an expression of which words say something, and nothing is judged."""
 
 OF_LAW = "law: “equations for new letters”"
 """What is told of equations of motion in letters that nothing ties to those before."""
@@ -173,18 +243,25 @@ class Uncovered(NamedTuple):
 
 
 def sentences(
-    prose: Prose, source: Source, expanded: Expanded, covered: Iterable[tuple[int, int]]
+    prose: Prose,
+    source: Source,
+    expanded: Expanded,
+    covered: Iterable[tuple[int, int]],
+    leads: Iterable[tuple[int, int]] = (),
 ) -> Iterator[tuple[tuple[int, int], str, Uncovered]]:
     """The sentences that state something of a kind, in none of some intervals of the text.
 
     Each comes with its interval and its kind; or with several, if one of these stands alone.
+    In the intervals ``leads`` words lead up to what is read.
     """
     apart = (found.span() for found in _APART.finditer(prose.text, prose.start))
     spans = sorted([*covered, *apart])
+    led = sorted([*spans, *leads])
     for start, end in zip(prose.stops, [*prose.stops[1:], len(prose.text)], strict=True):
         words = prose.text[start:end]
         within = [(a - start, b - start) for a, b in spans]
-        stated = _stated(words, expanded.text[start:end], within)
+        leading = [(a - start, b - start) for a, b in led if a < end and start < b]
+        stated = _stated(words, expanded.text[start:end], within, leading)
         if not stated or words.rstrip().endswith("?"):  # a question states nothing
             continue
         if any(part.title == "thebibliography" for part in prose.path(start)):
@@ -206,19 +283,25 @@ def passage_at(
     return Uncovered(source.line(expanded.origin(begin, begin + 1)[0]), short, kind)
 
 
-def _stated(words: str, printed: str, spans: Sequence[tuple[int, int]]) -> dict[str, str]:
+def _stated(
+    words: str, printed: str, spans: Sequence[tuple[int, int]], leads: Sequence[tuple[int, int]]
+) -> dict[str, str]:
     """The first kind of what some words state outside of some intervals, and those that are alone.
 
     These may be told by formulas, which are ``printed`` among the words. Each comes with the words
-    that tell it.
+    that tell it. Of the kinds that are told beside what is judged, too, the first one is taken that
+    stands outside of what leads up to it.
     """
     found: dict[str, str] = {}
     for kind, cues in _KINDS.items():
-        if kind not in ALONE and not {*found} <= {*ALONE}:
-            break
-        for match in cues.finditer(printed if kind in ALONE else words):
-            if not any(start <= match.start() < end for start, end in spans):
-                said = match[0].partition("$")[0].strip()
+        alone = kind in (*ALONE, *BESIDE)
+        if (not alone and not {*found} <= {*ALONE}) or {*BESIDE} & {*found}:
+            continue
+        beside = kind in BESIDE
+        for match in cues.finditer(printed if alone and not beside else words):
+            place = match.end() - 1 if beside else match.start()
+            if not any(start <= place < end for start, end in (leads if beside else spans)):
+                said = " ".join(match[0].partition("$")[0].replace(MARK, " ").split())
                 found[kind] = kind if said.startswith("\\") else said
                 break
     return found

@@ -84,7 +84,7 @@ def test_a_word_that_is_stronger_than_the_formula_is_listed(sentence, cue):
         "The energy $x^2+y^2$ is constant and equal to $h$.",
         "The only thing to be seen is that $x^2+y^2$ is an integral.",
         "The function $x^2+y^2$ is an integral that does not depend on time.",
-        "The function $x^2+y^2$ is constant and $x$ grows.",
+        "The function $x^2+y^2$ is constant and $x$ is not.",
     ],
 )
 def test_a_word_that_is_as_strong_is_not(sentence):
