@@ -13,9 +13,10 @@ from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.angles_at_rest import equations_of_point, up_to_turns
-from kowalevski_cas.reading.in_words import NUMBERS, InWords, is_unsure, sentences_of
+from kowalevski_cas.reading.in_words import InWords, is_unsure, sentences_of
 from kowalevski_cas.reading.known import CLAIM, Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.numerals import CARDINALS
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
@@ -26,7 +27,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 SAYS = "nothing else is at rest"
-_NUMBER = re.compile(rf"\b(?:{'|'.join(NUMBERS)})\b", re.IGNORECASE)
+_NUMBER = re.compile(rf"\b(?:{'|'.join(CARDINALS)})\b", re.IGNORECASE)
 _PLURAL = (
     r"(?:equilibria|equilibrium\s+(?:points|positions|states|solutions)"
     r"|(?:states|points|positions)\s+of\s+(?:rest|equilibrium)"
@@ -42,10 +43,10 @@ _GIVEN = (
     r"|это|даются|определяются|точк\w+)\b|-{2,3}|—)*$"
 )
 _ALL = re.compile(
-    rf"\b(?:the|its|all(?:\s+the)?)\s+(?:(?:only|{'|'.join(NUMBERS)})\s+)*{_PLURAL}{_OF}\s+are\b{_GIVEN}"
+    rf"\b(?:the|its|all(?:\s+the)?)\s+(?:(?:only|{'|'.join(CARDINALS)})\s+)*{_PLURAL}{_OF}\s+are\b{_GIVEN}"
     rf"|\b(?:the\s+(?:only|unique|single)|an?\s+(?:unique|single))\s+{_ONE}{_OF}{_GIVEN}"
     r"|\b(?:there\s+are|has|have|possess(?:es)?)\s+(?:(?:exactly|only|just|precisely)\s+)?"
-    rf"(?:{'|'.join(NUMBERS)})\s+{_PLURAL}{_OF}{_GIVEN}"
+    rf"(?:{'|'.join(CARDINALS)})\s+{_PLURAL}{_OF}{_GIVEN}"
     rf"|^[\s,]*{_PLURAL}\s*:[\s~]*$|^[\s,]*(?:все\s+)?{_RUSSIAN}{_OF}{_GIVEN}",
     re.IGNORECASE,
 )
@@ -85,7 +86,7 @@ def _of_list(
     if known.untied({name for one in listed for name in one.names - {PI}}):
         return None  # a letter may tell the points of a family apart
     points = [*_points(listed, known)]
-    if not points or (number and NUMBERS.index(number.lower()) + 1 != len(points)):
+    if not points or (number and CARDINALS.index(number.lower()) + 1 != len(points)):
         return None
     still = velocities_at_rest(points[0], law, known)
     given = [*nothing_moves(law, listed[-1], known), *known.bound, *still]

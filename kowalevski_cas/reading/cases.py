@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
 from kowalevski_cas.notation import Relation
+from kowalevski_cas.reading.numerals import ORDINALS
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose
 
@@ -25,10 +26,10 @@ _STEM = 5
 """The letters of a name that stay where it is declined."""
 _ENTRY = re.compile(r"\bcases?\s+\((?P<label>\w{1,4})\)|\bслуча\w+\s+\((?P<label_>\w{1,4})\)")
 _LABEL = re.compile(r"\\item\s*\[\W*(\w+)\W*\]")
-_ORDINALS = ("first", "second", "third", "fourth"), ("перв", "втор", "трет", "четв")
+_ORDINAL = "|".join(word for words in ORDINALS for word in words)
 _NUMBER = re.compile(
-    r"\b[Ii]n\s+the\s+(?P<number>first|second|third|fourth)\s+(?P<what>case|one)\b"
-    r"|\b[Вв]о?\s+(?P<number_>перв|втор|трет|четв)\w+\s+случае"
+    rf"\b[Ii]n\s+the\s+(?P<number>{_ORDINAL})\s+(?P<what>case|one)\b"
+    rf"|\b[Вв]о?\s+(?P<number_>{_ORDINAL})\w+\s+случае"
 )
 
 
@@ -116,5 +117,5 @@ def _of_number(
     """The assumptions of a sentence of its theorem, by the order of such sentences."""
     own = (one for one in before if one.theorem == item.theorem)
     groups = [[*group] for _, group in groupby(own, key=lambda one: one.sentence)]
-    place = next(k for names in _ORDINALS for k, name in enumerate(names) if name == number)
+    place = next(k for k, words in enumerate(ORDINALS) if number in words)
     return groups[place] if place < len(groups) else []

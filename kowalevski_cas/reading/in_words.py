@@ -25,6 +25,7 @@ from kowalevski_cas.paper.names import BRACKET
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, SETS, Known, StatementRole
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.numerals import CARDINALS
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.statements import SourceStatement
 
@@ -76,13 +77,12 @@ _SOMEWHERE = re.compile(
     re.IGNORECASE,
 )
 """Words for a place where functions are independent, or are not."""
-NUMBERS = "one two three four five six seven eight nine ten".split()
-_NUMBER = re.compile(rf"\b(?:{'|'.join(NUMBERS)})\b", re.IGNORECASE)
+_NUMBER = re.compile(rf"\b(?:{'|'.join(CARDINALS)})\b", re.IGNORECASE)
 _PART_OF = re.compile(r"(?:\b(?:of|with|between|and|or)|[§,])\s*$", re.IGNORECASE)
 """How words end behind which a list is not all that is spoken of."""
 _GOES_ON = re.compile(r"\s*(?:,|and\b|и\b|as\s+well\b)", re.IGNORECASE)
 _COUNT = re.compile(
-    rf"\b(?:exactly|only|has|have|are)\s+(?P<number>{'|'.join(NUMBERS)})\s+(?:\w+\s+){{0,2}}?"
+    rf"\b(?:exactly|only|has|have|are)\s+(?P<number>{'|'.join(CARDINALS)})\s+(?:\w+\s+){{0,2}}?"
     r"(?:equilibri|states?\s+of\s+rest|fixed\s+points|(?:singular|stationary)\s+points)",
     re.IGNORECASE,
 )
@@ -176,7 +176,7 @@ def _made(
     places = tuple(one.printed for one in functions)
     if len(listed) < len(every) or len(functions) < (1 if name == "casimir" else 2):
         return  # of fewer functions less would be claimed
-    if (told := _NUMBER.search(text, *inside)) and told[0].lower() != NUMBERS[len(functions) - 1]:
+    if (told := _NUMBER.search(text, *inside)) and told[0].lower() != CARDINALS[len(functions) - 1]:
         return
     if name == "independence":
         yield from filter(None, [_independent(span, functions, text[slice(*span)])])
@@ -264,7 +264,7 @@ def _counted(found: re.Match[str], start: int, parts: Parts) -> InWords | None:
     known = parts.known[parts.part_at(at)]
     if len([law for law in known.laws if not law.change]) != 1:
         return None
-    number = NUMBERS.index(found["number"].lower()) + 1
+    number = CARDINALS.index(found["number"].lower()) + 1
     values: dict[str, object] = {"fixed": (), "levels": (), "count": number}
     before = [one for one in known.items if one.typed.start < at]
     rows = known.laws[0].rows

@@ -22,6 +22,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.hypotheses import near
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.numerals import ORDINALS
 from kowalevski_cas.reading.orders import orders_of
 from kowalevski_cas.reading.rung import Rung, RungMaker, places
 from kowalevski_cas.reading.sets import SetOfEquations
@@ -209,10 +210,9 @@ def to_some_order(at: RungMaker) -> Iterator[Rung]:
     orders = orders_of(at.item, given, at.known)
     if orders is None:
         raise ValueError("to which order it holds is not known")
-    says = f"up to small quantities of the {_ORDINALS[len(orders.all)]} order both sides are equal"
+    says = (
+        f"up to small quantities of the {ORDINALS[len(orders.all)][0]} order both sides are equal"
+    )
     rung = at.rung(DoubleZero, says, at.supposed, given, given=places(given), orders=orders.all)
     # it is said of what is near, and so it is not idle
     yield replace(rung, idle=None, is_stronger=orders.is_stronger)
-
-
-_ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh")

@@ -21,22 +21,15 @@ from kowalevski_cas.notation import (
     Sum,
 )
 from kowalevski_cas.reading.known import Known
+from kowalevski_cas.reading.numerals import ORDINALS
 from kowalevski_cas.reading.sets import SetOfEquations
 from kowalevski_cas.reading.statements import SourceStatement
 
 HIGHEST = 6
 """Up to which order derivatives are taken."""
 
-_NUMBERS = {
-    word: number
-    for number, words in enumerate(
-        (
-            "first|linear|перв", "second|quadratic|втор|квадратичн", "third|cubic|трет|кубическ",
-            "fourth|четверт|четвёрт", "fifth|пят", "sixth|шест", "seventh|седьм", "eighth|восьм",
-        ),
-        1,
-    )
-    for word in words.split("|")
+_NUMBERS = {word: number for number, words in enumerate(ORDINALS, 1) for word in words} | {
+    "linear": 1, "quadratic": 2, "квадратичн": 2, "cubic": 3, "кубическ": 3,
 }  # fmt: skip
 _ORDER = re.compile(
     rf"\b(?P<order>{'|'.join(_NUMBERS)})\w*(?:\s+(?:and|и)\s+(?:higher|высш\w+))?[\s-]+"

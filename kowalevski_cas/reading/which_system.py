@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import zip_longest
 
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.numerals import ORDINALS
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import Prose, references
 
@@ -14,12 +16,9 @@ _NOUN = (
     r"(?:systems?|problems?|models?|flows?|(?:vector\s+)?fields?|ones?"
     r"|of\s+(?:them|these|those|the\s+two)|(?:систем|задач|модел|пол)\w*|из\s+них)"
 )
-_ORDINALS = (
-    ("first", "former", "original", "initial", "перв", "исходн"),
-    ("second", "latter", "втор"),
-    ("third", "трет"),
-    ("fourth", "четв"),
-)
+_ALSO = (("former", "original", "initial", "исходн"), ("latter",))
+"""What else words call the first, and the second."""
+_ORDINALS = [words + also for words, also in zip_longest(ORDINALS, _ALSO, fillvalue=())]
 _WORD = "|".join(word for words in _ORDINALS for word in words)
 _WHICH = re.compile(
     rf"\b(?:of|for|in|by|to|has|have|under|along|on|для|в|у|вдоль)\s+(?:the\s+)?(?P<which>{_WORD})\w*(?P<noun>\s+(?:of\s+(?:the|these|our)\s+)?{_NOUN}\b)?"
