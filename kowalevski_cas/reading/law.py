@@ -21,6 +21,8 @@ class Law:
     """Whether words call it the average of a law: what it says is close to what that says."""
     base: Law | None = None
     """The law of the names on its right sides, if it is another one."""
+    is_apart: bool = False
+    """Whether nothing that the base moves stands in its equations."""
     restates: Law | None = None
     """The law of which it is printed anew, for special constants."""
     again: tuple[Law, ...] = ()
@@ -109,6 +111,11 @@ class Law:
     def rows(self) -> tuple[SourceStatement, ...]:
         """All its equations, with those that it is added to."""
         return (*(self.base.rows if self.base else ()), *self.items)
+
+    @cached_property
+    def own(self) -> Law:
+        """The law of what it moves itself, where that is a system apart."""
+        return Law(self.items, self.names, momenta=self.momenta) if self.is_apart else self
 
     @cached_property
     def order(self) -> int:

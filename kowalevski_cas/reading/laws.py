@@ -231,6 +231,8 @@ class _LawFinder(PrintedRates):
         rated = {name for row in following for name in self.scalars(row)}
         if law is not None:
             law.base = part[-1]
+            mentioned = {*self.names.scalars(n for one in law.items for n in one.names)}
+            law.is_apart = mentioned.isdisjoint(self._standing_for(moving))
             if rated & {*self.names.scalars(law.mentions)} - moving - {*law.variables}:
                 return None  # it rests on what follows
         return law

@@ -96,16 +96,26 @@ def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
     return None
 
 
+_OTHER_ONE = re.compile(
+    r"\b(?:first|former|original|initial|both|each|two)\b|\b(?:перв|исходн|об[ае]|кажд)\w*",
+    re.IGNORECASE,
+)
+"""Words for another system than the last one."""
+
+
 def law_of_points(item: SourceStatement, known: Known) -> Law | None:
     """The one law of which points are spoken of before a statement, that is not one of a map.
 
-    Equations that move what no other one has are one law with those of their sentence.
+    Equations that move what no other one has are one law with those of their sentence; in another
+    one they are a system apart, of which is spoken behind them.
     """
     before = [law for law in known.laws if law.order < item.order and not law.images]
     laws = [law for law in before if not law.base]
     if len(laws) != 1:
         return None
     beside = [o for o in before if o.base and o.first.sentence == laws[0].first.sentence]
+    if apart := [law for law in before if law.is_apart and law not in beside]:
+        return None if _OTHER_ONE.search(item.words) else apart[-1].own
     return beside[-1] if beside and not beside[-1].change else laws[0]
 
 

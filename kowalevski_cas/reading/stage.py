@@ -312,6 +312,8 @@ class Stage:
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows, *law.printed}]
         law = next(iter((named or smallest)[::-1]), None)
+        if law is not None and law.base is not None and moved.isdisjoint(law.base.variables):
+            law = law.own
         for name in known.names.scalars(name for item in items for name in item.rates):
             given = known.is_defined(name) or name in known.functions
             if given and (law is not None or "t" in known.below(name)):

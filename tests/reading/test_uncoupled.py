@@ -70,3 +70,31 @@ def test_a_constraint_explains_no_rate():
     text = r"A bead moves by \[ m\ddot x=\lambda x,\qquad m\ddot y=-mg+\lambda y,\qquad y=x^2. \]"
     found = roles(text)
     assert found[r"m\ddot y=-mg+\lambda y"] == LAW and found["y=x^2"] not in (DEFINITION, CLAIM)
+
+
+APART = r"""The motion is \[ \dot x=y,\qquad\dot y=x-x^3. \] It is bounded.
+The second oscillator moves by \[ \dot u=v,\qquad\dot v=2u+u^3. \] """
+
+
+@pytest.mark.parametrize(
+    ("words", "formula", "green"),
+    [
+        ("The point $(1,0)$ is an equilibrium.", "(1,0)", False),
+        ("The point $(0,0)$ is an equilibrium.", "(0,0)", True),
+        ("The point $u=v=0$ is an equilibrium.", "u=v=0", True),
+        ("The only equilibrium is $u=v=0$.", "u=v=0", True),
+        (r"The eigenvalues at the origin are $\pm\sqrt2$.", r"\pm\sqrt2", True),
+        (r"The eigenvalues at the origin are $\pm1$.", r"\pm1", False),
+        ("The set $x=y=0$ is at rest.", "x=y=0", False),
+        ("Of the first system $(1,0)$ is an equilibrium.", "(1,0)", False),
+    ],
+)
+def test_a_system_apart_is_the_one_that_is_spoken_of_behind_it(words, formula, green):
+    found = verdicts(APART + words).get(formula)
+    assert (found is not None and found.green) == green
+
+
+@pytest.mark.parametrize(("sign", "green"), [("-", True), ("+", False)])
+def test_what_is_of_both_is_claimed_of_both(sign, green):
+    function = rf"v^2-2u^2-\frac12u^4+y^2{sign}x^2+\frac12x^4"
+    assert verdicts(APART + f"The function ${function}$ is constant.")[function].green == green
