@@ -35,7 +35,7 @@ class InlinedDefinitions:
         if self._nothing:
             return ()
         if place not in self._known:
-            self._known[place] = tuple(self._of(self.setting.texts.formula(place)))
+            self._known[place] = tuple(self._of(self.setting.texts.as_printed(place)))
         return self._known[place]
 
     def _of(self, formula: Formula) -> Iterator[Printed]:

@@ -197,3 +197,10 @@ def test_a_bracket_of_what_is_given_by_others_with_brackets_is_claimed(claim, gr
         GROWTH + r"A bracket is \[ \{a,b\}=\tfrac14ab,\quad\{b,c\}=\tfrac14bc,\quad\{c,a\}=0 . \] "
     )
     assert verdicts(text + rf"Then \[ {claim} . \]")[claim].green is green
+
+
+@pytest.mark.parametrize(("sign", "true"), [(">", True), ("<", False), (r"\ge", True)])
+def test_a_bracket_stands_in_an_inequality(sign, true):
+    text = r"Let $H=\frac12(p_1^2+p_2^2)+\frac12(q_1^2+q_2^2)$. With $K=q_1p_1$ we have "
+    assert [one.green for one in verdicts(rf"{text}$\{{q_1,p_1\}}{sign}0$.").values()] == [true]
+    assert [one.green for one in verdicts(rf"{text}$\{{K,H\}}{sign}0$.").values()] == [False]
