@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import re
 
-from kowalevski_cas.notation import Formula, Name, Number, PoissonBracket, Power, Relation, Vector
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Number,
+    PoissonBracket,
+    Power,
+    Product,
+    Relation,
+    Vector,
+)
 from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
@@ -256,7 +265,16 @@ def _says_first(item: SourceStatement, known: Known) -> bool:
     behind = any(one.typed is item.typed and one.order < item.order for one in known.paper.items)
     apart = behind and not item.typed.inline  # the words before the display are about its first
     free = free and (apart or not (cue("deduced", item.lead) or cue("then", item.lead)))
-    return free and all(isinstance(one, Name | Number) for one in item.formula.members)
+    told = bool(_SATISFY.search(item.lead))  # then they may be multiples of letters
+    terms = [
+        factor
+        for one in item.formula.members
+        for factor in (one.factors if told and isinstance(one, Product) else (one,))
+    ]
+    return free and all(isinstance(one, Name | Number) for one in terms)
+
+
+_SATISFY = re.compile(r"\b(?:satisf\w+|obey\w*|удовлетвор\w+)[\s~]*$", re.IGNORECASE)
 
 
 def assumption(item: SourceStatement, known: Known) -> StatementRole | None:

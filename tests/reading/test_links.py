@@ -13,6 +13,7 @@ PAIRS = [
     (rf"{LORENZ}Let $b=2\sigma>0$. With $F=x^2-2\sigma z$ we have ", r"$\dot F=-2\sigma F$."),
     (rf"{LORENZ}With $F=x^2-2\sigma z$ and $b=2\sigma=2$ we have ", r"$\dot F=-2F$."),
     (r"Let $\dot x=-bx$, $0<b=2a<1$. Then ", r"$\dot x=-2ax$."),
+    (r"The parameters satisfy $b=2a>0$, and $\dot x=-bx$. Then ", r"$\dot x=-2ax$."),
     (r"Let $\dot x=-bx$ and $b=2a\ne0$. We have ", r"$\dot x=-2ax$."),
     (rf"{EULER}Let $a=b>c$. Then ", r"$\dot p=(a-c)qr$."),
     (rf"{BODY}For $A=B=2C>0$ we have ", r"$2\dot p=qr$."),
