@@ -7,9 +7,10 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import Relation
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, DEFINITION, LAW, LEVEL, OTHER
 from kowalevski_cas.reading.parts import Parts
-from kowalevski_cas.reading.phrases import joined_tail
+from kowalevski_cas.reading.phrases import joined_tail, words_behind
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import MARK
 from kowalevski_cas.reading.uncovered import SAYS_NOTHING
@@ -68,15 +69,22 @@ _SAID_OF_IT = re.compile(
 def expressions(parts: Parts) -> Iterator[SourceStatement]:
     """The expressions in the text of which words say something, or that they give something.
 
-    Nothing is judged of them, and they stand behind the first equations.
+    Nothing is judged of them, and they stand behind the first equations; or no more is judged than
+    that an integral is one, as the words before it call it.
     """
     first = _beginning(parts)
     for item, role in parts.roles.items():
+        if not item.typed.inline or item.typed.start <= first:
+            continue
+        if role.name == CLAIM and role.kind == "integral":
+            called = not words_behind(item, "integral") and cue("integral", item.lead)
+            if called and _SAID_OF_IT.match(item.tail):
+                yield item
+            continue
         if role.name != OTHER or role.kind or isinstance(item.formula, Relation):
             continue
         *_, (begin, end) = _parts_of(item.before)
-        behind = item.typed.inline and item.typed.start > first
-        if behind and not _SUPPOSES.match(item.before, begin, end):
+        if not _SUPPOSES.match(item.before, begin, end):
             if _GIVES.search(item.lead) or _SAID_OF_IT.match(joined_tail(item)):
                 yield item
 

@@ -124,7 +124,7 @@ STATES: dict[str, str] = {
         \bquadratures?\b \bseparat\w+ \bhamiltonian\s+system\b \bcommut\w+ \binvolution\b
         квадратур\w+ раздел\w+ инволюци\w+""",
     "shape": r"""
-        \b(?:is|are|being|along|describes?|traces?)\s+(?:an?\s+|the\s+)?(?:\w+\s+){0,2}(?:hyperbola[se]?|parabola[se]?|ellips(?:e|es|oids?)|cycloids?|helix|circles?|lines?)\b
+        \b(?:is|are|being|along|describes?|traces?)\s+(?:an?\s+|the\s+)?(?:\w+\s+){0,2}(?:hyperbola[se]?|parabola[se]?|ellips(?:e|es|oids?)|cycloids?|conics?|spirals?|helix|circles?|lines?)\b
         \btor(?:us|i)\b \b(?:non-?)?compact\b \bconvex\b \bconcave\b \bdense(?:ly)?\b
         \b(?:is|are)\s+(?:hyperbolic|elliptic|parabolic)\b
         \b(?:гипербол|парабол|эллипс)(?:ой|ою|ом|ами?)\b \b(?:не)?компактн\w+ \bвыпукл\w+
@@ -143,6 +143,8 @@ STATES: dict[str, str] = {
         (?<!the\s)(?<!\ba\s)(?<!an\s)(?<!of\s)(?<!its\s)(?<!to\s)(?<!this\s)\b(?:grows?|increases?|decreases?|decays?|shrinks?|changes|varies|converges?|diverges?|precess(?:es)?|drifts?|rotates?)\b
         \bgo(?:es)?\s+to\s+infinity\b \b(?:in|de)creasing\b \bfinite\s+time\b
         \blyapunov\s+functions?\b
+        \b(?:period|frequenc\w+|amplitude|velocity|speed|energy|angle)\s+(?:does\s+not\s+depend|depends|is\s+independent)\b(?!\s+on\s+(?:the\s+)?time)
+        \b(?:is|are)\s+multiplied\s+by\b \bmodul(?:us|i)\s+(?:one|1)\b
         \bleaves?\s+(?:it|them|the\s+\w+)\b(?!\s+(?:\w+\s+)?invariant)
         \bвозраста\w+ \bубыва\w+ \bраст[её]т\b \bрастут\b""",
     "direction": r"""
@@ -152,7 +154,8 @@ STATES: dict[str, str] = {
         \bcontains?\s+(?=§|the\s+(?:origin|point|vector|axis|line)\b)
         \bпараллельн\w+ \bортогональн\w+ \bперпендикулярн\w+ \bпересека\w+""",
     "symmetry": r"""
-        \bgenerates?\s+(?:the|an?)\b \b(?:preserves?|conserves?|contracts?)\b
+        \bgenerates?\s+(?:the|an?)\b \bпорожда\w+ \b(?:is|are|in)\s+(?:\S+\s+)?resonan(?:t|ce)\b
+        \b(?:preserves?|conserves?|contracts?)\b
         \bcorresponds?\s+to\s+(?:the\s+|an?\s+)?(?:invarian|symmetr|translation|rotation|shift)\w*
         \b(?:is|are)\s+(?:not\s+)?(?:\w+ly\s+)?(?:canonical|symplectic|cyclic|ignorable|autonomous|reversible|symmetric|non-?degenerate|hamiltonian)\b
         \bha(?:s|ve)\s+the\s+cyclic\b \bderives?\s+from\b
@@ -171,7 +174,10 @@ STATES: dict[str, str] = {
     "further": rf"""
         (?:[,;§]|\b(?:and|but|so|while|whereas)\b)[\s,]*(?:so\s+(?:is|are)|(?:it|they|which|both|(?:its|their|whose)\s+(?:\w+\s+){{1,3}}?)\s*\b(?:is|are|has|have)\b(?!\s+{SAYS_NOTHING}))
         (?:[,;]|\b(?:and|but|so)\b)\s*(?:each|every|all)\s+(?:\w+\s+){{1,4}}?(?:is|are|has|have)\b
-        [,;]\s*(?:the|its|their)\s+(?:\w+\s+){{1,5}}too\b""",
+        [,;]\s*(?:the|its|their)\s+(?:\w+\s+){{1,5}}too\b
+        \b(?:integrals?|conserved|constant|invariants?)\s+and\s+an?\s+\w+
+        \b(?:integral|invariant)s?\s+(?:of\s+degree\b|without\b|having\b|with\s+(?:an?|no|two|three)\b|that\s+(?:is|has|vanishes)\b(?!\s+been))
+        \bwhose\s+(?!(?:mass|length|radius|coordinates?|charge|value|form|proof|axis|origin)\b)(?:\w+\s+){{1,3}}?(?:(?:never|always|not)\s+)?\w+s\b""",
 }
 """Words that state something of a kind, in English and in Russian; spaces stand between them."""
 
