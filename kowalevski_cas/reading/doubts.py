@@ -16,7 +16,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.beginnings import gives_velocity
 from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.compositions import is_of_maps
-from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.inertia import INERTIA
 from kowalevski_cas.reading.kept import kept_before
@@ -176,9 +176,14 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
 
 
 def _is_of_what_is_left(item: SourceStatement, known: Known) -> bool:
-    """Whether its paragraph neglects something before it: what moves then may be another system."""
-    start = max(item.paragraph, item.section.start)
-    return bool(cue("neglected", known.paper.prose.between(start, item.typed.start)))
+    """Whether its paragraph neglects something before it: what moves then may be another system.
+
+    What a footnote neglects is so to its end.
+    """
+    prose, start = known.paper.prose, max(item.paragraph, item.section.start)
+    said = cues("neglected", prose.text[: item.typed.start], start)
+    notes = (prose.footnote(one.start()) for one in said)
+    return any(note is None or note[0] <= item.typed.start < note[1] for note in notes)
 
 
 def _is_of_another(item: SourceStatement, known: Known) -> bool:

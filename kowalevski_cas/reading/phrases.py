@@ -62,7 +62,8 @@ def clause(item: SourceStatement) -> str:
 _NEXT = r"(?:,\s*|\b)(?:and|but|while|whereas|и|а|но)\s+(?:\w+\s+){0,3}"
 _ALONE = r"[\s~]*(?:is|remains|stays|явля\w+|сохраняется|постоян(?:на|ен|но))\b"
 _AGAIN = re.compile(
-    rf"[;:]|\b(?:so(?!\s+(?:is|are|do|does)\b)|hence|thus|therefore|whence)\b|{_NEXT}(?=§{_ALONE})|,\s*{_NEXT}(?=§)",
+    rf"[;:]|\b(?:so(?!\s+(?:is|are|do|does)\b)|hence|thus|therefore|whence)\b"
+    rf"|\band\s+(?:all|its|their|it|they|there)\b|{_NEXT}(?=§{_ALONE})|,\s*{_NEXT}(?=§)",
     re.IGNORECASE,
 )
 """Where something begins to be said of another formula."""

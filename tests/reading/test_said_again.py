@@ -88,6 +88,7 @@ def test_what_says_more_than_is_judged_has_no_verdict(words):
         f"Just for completeness we note that {SQUARES} is an integral.",
         f"The functions {SQUARES} and {MOMENTUM} are integrals; only the first one is needed.",
         f"The function {SQUARES} is an integral, and {MOMENTUM} is an integral only if $a=b$.",
+        f"The function {SQUARES} is an integral and its levels are nice if and only if $a=b$.",
     ],
 )
 def test_what_is_said_of_something_else_says_no_more_of_it(words):
@@ -126,5 +127,6 @@ def test_what_holds_where_something_is_neglected_is_not_refuted(words):
 
 
 def test_what_cannot_be_neglected_is_there():
-    found = audited(DAMPED + r"Friction cannot be neglected. But $\dot x^2+x^2$ is constant.")
-    assert any(one.verdict == "refuted" for one in found.formulas)
+    for words in ("Friction cannot be neglected.", r"It holds.\footnote{We neglect friction.}"):
+        found = audited(DAMPED + words + r" But $\dot x^2+x^2$ is constant.")
+        assert any(one.verdict == "refuted" for one in found.formulas)
