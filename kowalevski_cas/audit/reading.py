@@ -50,6 +50,7 @@ from kowalevski_cas.reading.counted import shown_numbers
 from kowalevski_cas.reading.doubts import is_of_a_place
 from kowalevski_cas.reading.energies import OF_ENERGY
 from kowalevski_cas.reading.kinematics import is_free
+from kowalevski_cas.reading.known import MORE
 from kowalevski_cas.reading.linear_parts import KIND, fewer_eigenvalues
 from kowalevski_cas.reading.obey import SAID, SKIPPED
 from kowalevski_cas.reading.small_oscillations import CHARACTERISTIC, FREQUENCY
@@ -57,6 +58,7 @@ from kowalevski_cas.reading.uncovered import (
     ALL_EIGENVALUES,
     OF_EXPRESSION,
     OF_LAW,
+    SAYS_MORE,
     Uncovered,
     passage_at,
     sentences,
@@ -497,6 +499,11 @@ def uncovered(reading: Reading) -> list[Uncovered]:
         for span in fewer_eigenvalues(
             [f.item for f in judged if f.role.kind == KIND], reading.parts.of
         )
+    ]
+    more = (one for one, role in reading.parts.roles.items() if role.kind == MORE)
+    left += [
+        (one.sentence, passage_at(one.sentence, SAYS_MORE, paper.source, paper.expanded))
+        for one in more
     ]
     left += [
         (one.sentence, passage_at(one.sentence, OF_EXPRESSION, paper.source, paper.expanded))

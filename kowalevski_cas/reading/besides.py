@@ -6,7 +6,7 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.notation import Relation
+from kowalevski_cas.notation import Relation, Vector
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, DEFINITION, LAW, LEVEL, OTHER
 from kowalevski_cas.reading.parts import Parts
@@ -61,7 +61,9 @@ _GIVES = re.compile(
 
 
 _SAID_OF_IT = re.compile(
-    rf"[\s~]*(?:is|are|remains?|stays?|takes?|has|have)\s+(?!{SAYS_NOTHING})", re.IGNORECASE
+    rf"[\s~]*(?:is|are|remains?|stays?|takes?|has|have)\s+(?!{SAYS_NOTHING})"
+    r"|[\s~]*(?:vanish|keep|never|satisf|obey|grow|decreas|increas|exceed|tend|chang|oscillat|commut|generat)\w*",
+    re.IGNORECASE,
 )
 """How words begin behind an expression that say something of it."""
 
@@ -82,6 +84,9 @@ def expressions(parts: Parts) -> Iterator[SourceStatement]:
                 yield item
             continue
         if role.name != OTHER or role.kind or isinstance(item.formula, Relation):
+            continue
+        if isinstance(item.formula, Vector) and cue("equilibrium", item.words):
+            yield item
             continue
         *_, (begin, end) = _parts_of(item.before)
         if not _SUPPOSES.match(item.before, begin, end):

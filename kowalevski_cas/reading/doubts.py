@@ -117,6 +117,8 @@ def doubt_of(
         or _has_momentum(rung, known)
         or _is_in_coordinates_of_words(rung, known)
         or _is_called_real(rung, known)
+        or _is_bracket_elsewhere(item, known)
+        or _has_reaction(rung, item, known)
         or any(map(has_more_rows, known.laws))
         or parts.is_averaged(item)
         or kept_before(item, known)
@@ -144,6 +146,33 @@ def doubt_of(
 def _is_unequal(item: SourceStatement) -> bool:
     """Whether something is said not to be zero: it may be meant that it is not so always."""
     return isinstance(item.formula, Relation) and {*item.formula.signs} <= _UNEQUAL
+
+
+def _is_bracket_elsewhere(item: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives a bracket of names that another section gives: it may be new."""
+    match item.members[:1]:
+        case (PoissonBracket(Name(), Name()),):
+            given = [
+                one
+                for head, own in known.definitions.items()
+                for one in own
+                if head.startswith(BRACKET) and one.members[:1] == item.members[:1]
+            ]
+            return bool(given) and all(one.section is not item.section for one in given)
+    return False
+
+
+_REACTIONS = ("N", "R", "T", "S")
+
+
+def _has_reaction(rung: Rung, item: SourceStatement, known: Known) -> bool:
+    """Whether a force stands in a claim that is given by an equation which is none of motion."""
+    letters = {*rung.claim.scene.constants} & {*_REACTIONS}
+    others = (one for one in known.items if one is not item and one.members and not one.derives)
+    return any(
+        letters & one.names and known.roles[one].name == CLAIM and len(one.names) > 1
+        for one in others
+    )
 
 
 def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:

@@ -58,6 +58,8 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
         if len(laws) != 1 or known.laws != laws or known.restated or known.clocks:
             continue
         for item in known.items:
+            if _is_of_special_case(item, laws[0], known):
+                continue
             said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
             said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
             doubt = (
@@ -72,6 +74,26 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
             yield from _of_potential(potential, laws[0], parts)
         if all(map(_is_acceleration, laws[0].rows)):
             yield from _of_total(laws[0], known)
+
+
+_SPECIAL = re.compile(
+    r"\b(?:if|when|for|with|without|on|in|at|units?|times?|measured|counted|backwards?|conventions?"
+    r"|dimensionless|scal\w+|cho(?:ose|os\w+)|instead|opposite|revers\w+|coordinates|frame|limit|small|near"
+    r"|linear\w*|approximat\w*|suppos\w+|let|put|setting|set|tak\w+|now"
+    r"|при|если|когда|для|без|в|на|единиц\w*|врем\w+|пусть|положим|вблизи)\b|§",
+    re.IGNORECASE,
+)
+"""Words that may tell of another case, time or frame than that of an energy before them."""
+
+
+def _is_of_special_case(item: SourceStatement, law: Law, known: Known) -> bool:
+    """Whether words between an energy and equations behind it may set up a special case."""
+    if law.first.order < item.order:
+        return False
+    same = law.first.sentence == item.sentence
+    begin = item.typed.end if same else item.sentence[1]
+    between = known.paper.prose.between(begin, law.first.typed.start)
+    return bool(_SPECIAL.search(between))
 
 
 def _is_of_sentence(law: Law, item: SourceStatement) -> bool:

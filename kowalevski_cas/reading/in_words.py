@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence, Set
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, PoissonBracket
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -170,6 +170,8 @@ def _made(
         return
     given = [o for head, own in known.definitions.items() if head.startswith(BRACKET) for o in own]
     brackets = (*(one for one in given if one.typed.start < inside[1]),) or (*given,)
+    if name in ("casimir", "involution") and _are_anew(span, parts):
+        return
     moved = {name for one in brackets for name in one.members[0].names()}
     listed = [*functions_of(every, known, moved)]
     functions = tuple(dict.fromkeys(listed))
@@ -190,6 +192,17 @@ def _made(
         for one in functions:
             values: dict[str, object] = {"printed": one.printed}
             yield InWords(span, Casimir, (one, *brackets), values, name, says)
+
+
+def _are_anew(span: tuple[int, int], parts: Parts) -> bool:
+    """Whether the section of some words prints brackets otherwise than they were given before."""
+    section = parts.paper.prose.path(span[0])[-1]
+    return any(
+        role.name == CLAIM and isinstance(item.members[0], PoissonBracket)
+        and all(isinstance(one, Name) for one in item.members[0].children())
+        for item, role in parts.roles.items()
+        if item.section is section and item.members
+    )  # fmt: skip
 
 
 def functions_of(

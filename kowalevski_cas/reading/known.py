@@ -47,6 +47,9 @@ LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION =
     "convention",
 )  # fmt: skip
 
+MORE = "says more"
+"""The kind of what has no verdict since its words say another thing than is judged: it is told."""
+
 CONSTRAINT = "constraint"
 """The kind of an assumption on which all motion is."""
 

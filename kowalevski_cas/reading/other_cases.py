@@ -23,7 +23,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import may_hold
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import CLAIM, UNREAD, Known
+from kowalevski_cas.reading.known import CLAIM, MORE, UNREAD, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import joined_lead
@@ -37,7 +37,7 @@ OTHERWISE = (
     "${}$ (line {}) does not hold by the equations of motion: it may be another law, and this "
     "may be said of it; print all equations of that law in a display"
 )
-NOT_CLAIMED = ("denied", "excepted", "quoted", "asked")
+NOT_CLAIMED = ("denied", "excepted", "quoted", "asked", MORE)
 """The kinds of what is printed and not claimed as it is."""
 _RATE = re.compile(r"\\d{1,3}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
 """A printed rate."""

@@ -356,8 +356,8 @@ _SO = re.compile(
     r"\b(?:so|neither|nor)\s+(?:is|are|does|do)\b(?:\s+\w+){0,3}\s*$|\bкак\s+и\b\s*(?:\w+\s*){0,2}$"
     r"|\bas\s+(?:is|are)(?:\s+(?:also|the|its|their|both|functions?|quantit(?:y|ies)|products?|sums?"
     r"|differences?|moment(?:um|a)|energ(?:y|ies)|components?))*[\s~]*$"
-    r"|,\s*(?:and\s+)?(?:(?:thus|hence|therefore|consequently|so)\s+)?(?:also|likewise|similarly|equally)"
-    r"(?:\s+(?:the|its|their|\w+))?[\s~]*$"
+    r"|[,;]\s*(?:and\s+)?(?:(?:thus|hence|therefore|consequently|so)\s+)?(?:also|likewise|similarly|equally)"
+    r"(?:\s+(?:the|its|their|\w+)){0,3}[\s~]*$"
     r"|,\s*(?:(?:а|и)\s+)?(?:поэтому\s+|значит,?\s+)?(?:также|тоже)(?:\s+и)?[\s~]*$",
     re.IGNORECASE,
 )

@@ -35,6 +35,7 @@ from kowalevski_cas.reading.known import (
     ASSUMPTION,
     CLAIM,
     DEFINITION,
+    MORE,
     NOTATION,
     OTHER,
     UNREAD,
@@ -120,7 +121,7 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     """What a statement is: what a comment says, or the first rule that says something."""
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
     if inferred.name == CLAIM and (said := _says_else(item, known)):
-        inferred = StatementRole(OTHER, said, "asked")
+        inferred = StatementRole(OTHER, said, MORE)
     prints = is_row(item) and any(map(known.moves, item.rates))
     own = inferred.name != CLAIM or inferred.kind in (*OF_LINEAR_PART, "approximate")
     other = of_related_law if prints else of_another_system
@@ -300,7 +301,7 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
             return StatementRole(DEFINITION, "named here; its sentence makes exceptions", "", names)
         return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")
     if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
-        return StatementRole(OTHER, f"“{said}” says more than is judged", "asked")
+        return StatementRole(OTHER, f"“{said}” says more than is judged", MORE)
     if said := _denial(item, known):
         if names := _named(item, known):
             return StatementRole(DEFINITION, f"named here; “{said}” is said of it", "", names)
@@ -331,7 +332,7 @@ _HAPPENS_BEFORE = re.compile(
 def happening(item: SourceStatement, known: Known) -> StatementRole | None:
     """What words say to happen, or on which condition something does: it is not supposed so."""
     if item.members and (_HAPPENS_BEHIND.match(item.tail) or _HAPPENS_BEFORE.search(item.lead)):
-        return StatementRole(OTHER, "words say when something happens: it is not supposed", "asked")
+        return StatementRole(OTHER, "words say when something happens: it is not supposed", MORE)
     return None
 
 

@@ -171,6 +171,11 @@ STATES: dict[str, str] = {
         \b(?:it|they|which)\s+(?:is|are)\s+(?:always\s+|never\s+)?(?:positive|negative|real|imaginary|non-?zero)\b
         \bof\s+(?:unit\s+length|length\s+\w+)\b \bseparately\b
         \bdepends?\s+(?:\S+\s+){0,3}explicitly\b \bexplicitly\s+depends?\b""",
+    "place": r"""
+        \b(?:vanish(?:es)?|rests?)\s+(?:\w+\s+)?(?:at|for|when|if|below|above)\b
+        \b(?:is|are)\s+(?:reached|attained|assumed)\s+(?:at|for|when|if)\b
+        \b(?:lies?|is|are)\s+(?:situated\s+)?at\s+(?=\$)
+        \bturning\s+points?\b \bобраща\w+\s+в\s+нуль\s+(?:при|в)\b""",
     "further": rf"""
         (?:[,;§]|\b(?:and|but|so|while|whereas)\b)[\s,]*(?:so\s+(?:is|are)|(?:it|they|which|both|(?:its|their|whose)\s+(?:\w+\s+){{1,3}}?)\s*\b(?:is|are|has|have)\b(?!\s+{SAYS_NOTHING}))
         (?:[,;]|\b(?:and|but|so)\b)\s*(?:each|every|all)\s+(?:\w+\s+){{1,4}}?(?:is|are|has|have)\b
@@ -183,7 +188,7 @@ STATES: dict[str, str] = {
 
 BESIDE = (
     "shape", "extremum", "grade", "course", "direction", "symmetry", "equality", "range",
-    "further",
+    "place", "further",
 )  # fmt: skip
 """The kinds that are told where words neither lead up to what is read nor suppose something."""
 
@@ -195,6 +200,9 @@ ALONE = (
 
 ALL_EIGENVALUES = "all eigenvalues: “eigenvalues are”"
 """What is told of a list of eigenvalues with fewer than there are."""
+
+SAYS_MORE = "more: “another thing than is judged”"
+"""What is told of a formula whose words say another thing than is judged."""
 
 OF_EXPRESSION = "expression: “nothing is stated”"
 """What is told of an expression of which words say something, and nothing is judged."""

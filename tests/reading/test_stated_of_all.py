@@ -113,7 +113,6 @@ WELL = r"The motion is \[ \dot x=y,\qquad\dot y=x-x^3 . \] "
     ("sentence", "kind"),
     sampled(
         [
-            (r"The equilibria are $x=\pm1$, $y=0$ alone.", "all rest"),
             (r"The equilibria are $x=\pm1$, $y=0$, and there are no others.", "all rest"),
             (r"The points $x=\pm1$, $y=0$ exhaust the equilibria.", "all rest"),
             (r"The complete list of the equilibria is $x=\pm1$, $y=0$.", "all rest"),
