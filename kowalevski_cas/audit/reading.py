@@ -139,12 +139,16 @@ class ReadingSession:
         return {id: self._told(outcome) for id, outcome in found.items()}
 
     def _told_in_words(self, found: Mapping[str, Outcome]) -> Iterator[str]:
-        """The claims that are false as they were read for letters which words alone explain."""
+        """The claims that are false as they were read, and of which no formula is a slip.
+
+        Words alone explain a letter of them, or list what is at rest.
+        """
         for id, outcome in found.items():
             formula = self.claiming[id]
-            if is_false_as_read(outcome) and needs_words(
-                formula, self.reading.parts.of(formula.item)
-            ):
+            known = self.reading.parts.of(formula.item)
+            if isinstance(formula.claim, Union):
+                yield id
+            elif is_false_as_read(outcome) and needs_words(formula, known):
                 yield id
 
     def _leave_exceptions(self, found: dict[str, Outcome]) -> None:
