@@ -419,7 +419,7 @@ CUES: dict[str, str] = {
         \b(?:and|but)\s+(?:not\s+otherwise|otherwise\s+not)\b \bnowhere\s+else\b
         \b(?:and|but)\s+(?:for|in|at|on)\s+no\s+other\w*
         \bbut\s+not\s+(?:(?:for|on|in|at)\s+)?(?:all|every|each|any|always|everywhere|elsewhere|general)\b
-        \b(?:for|if|when|on|at|in)\s+(?:(?:all|very|some|sufficiently|small|large|positive|negative|the|level|curve|set|case)\s+)*§[\s,]*(?:only|alone)\b
+        (?<!equation\s)(?<!equations\s)(?<!system\s)\b(?:for|if|when|on|at|in)\s+(?:(?:all|very|some|sufficiently|small|large|positive|negative|the|level|curve|set|case)\s+)*§[\s,]*(?:only|alone)\b
         \b(?:becomes?|is|are)\s+(?:then\s+)?(?:invalid|spoiled|broken)\b
         \badiabatic\w*\s+(?:invarian|conserv)\w+
         \bonly\s+(?:an?\s+integral|constant|conserved|preserved|valid|true)\b

@@ -33,8 +33,8 @@ _RUSSIAN = (
 )
 _OF = r"(?:\s+of\s+(?:the|this|our)\s+\w+|\s+(?:этой\s+)?системы)?"
 _IS = (
-    r"(?:[\s,~]*(?:is|are|at|in|by|given|has|have|with|the|coordinates?|points?|namely|lies?|located"
-    r"|occurs?|exists?|reads?|there|суть|есть|является|являются|имеет|координаты|точк\w+))*[\s:,~—-]*"
+    r"(?:[\s,~—-]*(?:is|are|at|in|by|given|has|have|with|the|coordinates?|points?|namely|lies?|located"
+    r"|occurs?|exists?|reads?|there|суть|это|есть|является|являются|имеет|координаты|точк\w+))*[\s:,~—-]*"
 )
 _BEFORE = re.compile(rf"\b(?:{_REST}|{_RUSSIAN}){_OF}(?:[\s~]*§)?{_IS}$", re.IGNORECASE)
 """How words end behind which points of rest are printed."""
