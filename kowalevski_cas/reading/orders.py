@@ -6,7 +6,7 @@ It is the highest degree of what is printed, or the one before that which words 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Set
 from typing import NamedTuple
 
 from kowalevski_cas.notation import (
@@ -59,11 +59,12 @@ def orders_of(item: SourceStatement, near: SetOfEquations, known: Known) -> Orde
     """The orders to which an approximation holds near a place; ``None`` if they are not known."""
     scalars = known.names.scalars(name for one in near for name in one.names)
     small = {*filter(known.moves, scalars)}
+    fixed = {name for one in near for name in one.names} - small  # the values there
     sides = [one for one in item.members[1:] if not isinstance(one, Name)]
-    degrees = [_degree(member, small, known) for member in sides]
+    degrees = [_degree(member, small, fixed, known) for member in sides]
     if None in degrees:
         return None
-    left = _degree(item.members[0], small, known)
+    left = _degree(item.members[0], small, fixed, known)
     printed = max([1, left or 0, *filter(None, degrees)])
     told = [(printed, True), *map(_last, _ORDER.finditer(item.words))]
     highest = max(number for number, _ in told)
@@ -80,23 +81,24 @@ def _last(found: re.Match[str]) -> tuple[int, bool]:
     return (number - 1, True) if _LEFT_OUT.search(before) else (number, False)
 
 
-def _degree(formula: Formula, small: Collection[str], known: Known) -> int | None:
+def _degree(formula: Formula, small: Collection[str], fixed: Set[str], known: Known) -> int | None:
     """The degree of a formula in what is small; ``None`` if it is no polynomial in this."""
-    moving = {n for n in formula.names() if n in small or (known.is_defined(n) and known.varies(n))}
+    names = formula.names() - fixed
+    moving = {n for n in names if n in small or (known.is_defined(n) and known.varies(n))}
     if not moving:
         return 0
     match formula:
         case Name(name):
             return 1 if name in small else None
         case Derivative(argument) | Negative(argument):
-            return _degree(argument, small, known)
+            return _degree(argument, small, fixed, known)
         case Power(base, Number(power)) if power == int(power) > 0:
-            below = _degree(base, small, known)
+            below = _degree(base, small, fixed, known)
             return None if below is None else below * int(power)
-        case Quotient(numerator, denominator) if _degree(denominator, small, known) == 0:
-            return _degree(numerator, small, known)
+        case Quotient(numerator, denominator) if _degree(denominator, small, fixed, known) == 0:
+            return _degree(numerator, small, fixed, known)
         case Sum(parts) | Product(parts):
-            found = [_degree(one, small, known) for one in parts]
+            found = [_degree(one, small, fixed, known) for one in parts]
             if None in found:
                 return None
             every = [one for one in found if one is not None]

@@ -82,3 +82,13 @@ def test_a_cut_series_is_green_only_if_all_of_its_orders_are_right(seed):
     found = verdicts(rf"{text} ${rate}$ up to terms of the {left_out} order.").get(rate)
     assert right or found is None or not found.green
     assert not right or found is not Verdict.REFUTED
+
+
+def test_the_value_of_a_variable_at_a_place_is_constant_there():
+    text = r"""A body moves by \[ A\dot p=(B-C)qr,\qquad B\dot q=(C-A)rp,\qquad C\dot r=(A-B)pq. \]
+    The rotation is $q=r=0$, $p=p_0$. For a motion near to this one we keep only terms of the first
+    order: \[ \ddot q=-\frac{(A-B)(A-C)}{BC}p_0^2q. \] About the middle axis, $p=r=0$, $q=q_0$, the
+    same reasoning leads to \[ \ddot p=§\frac{(A-B)(B-C)}{AC}q_0^2p. \]"""
+    for sign in ("", "-"):
+        [*_, verdict] = verdicts(text.replace("§", sign)).values()
+        assert verdict.green == (not sign)
