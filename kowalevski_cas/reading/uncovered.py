@@ -173,6 +173,7 @@ STATES: dict[str, str] = {
         \bdepends?\s+(?:\S+\s+){0,3}explicitly\b \bexplicitly\s+depends?\b""",
     "place": r"""
         \b(?:vanish(?:es)?|rests?)\s+(?:\w+\s+)?(?:at|for|when|if|below|above)\b
+        \b(?:acceleration|force|velocity|speed|torque|rate|moment\w*)\s+vanish(?:es)?\b
         \b(?:is|are)\s+(?:reached|attained|assumed)\s+(?:at|for|when|if)\b
         \b(?:lies?|is|are)\s+(?:situated\s+)?at\s+(?=\$)
         \bturning\s+points?\b \bобраща\w+\s+в\s+нуль\s+(?:при|в)\b""",

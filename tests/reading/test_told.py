@@ -16,6 +16,7 @@ PLANE = r"Let $\dot x=ay$, $\dot y=-bx$. Then $bx^2+ay^2$ is constant"
         PLANE + ", and $x^2+y^2$ is constant only if $a=-b$.",
         PLANE + ". A circular orbit occurs if $x=a$.",
         PLANE + ". The greatest velocity is reached at $x=a$.",
+        PLANE + ". The acceleration vanishes if $x=1$.",
         PLANE + ". The force vanishes at $x=0$ and at $x=2$.",
         TWO + r", and $x\dot y-y\dot x$ vanishes identically.",
         TWO + r", and $x\dot y-y\dot x$ keeps its sign.",
