@@ -161,7 +161,7 @@ class ReadingSession:
             left = [one.expression for one in outcome.conditions]
             moving = {*claim.scene.variables}
             if outcome.verdict.green and (others := [one for one in left if one.names() & moving]):
-                where = " and ".join(f"${to_latex(one)}=0$" for one in others)
+                where = " or ".join(f"${to_latex(one)}=0$" for one in others)
                 found[claim.id] = outcome._replace(
                     verdict=Verdict.UNDECIDED, message=f"{NOT_ALL}, where {where}", certificate=""
                 )
@@ -434,9 +434,12 @@ def audit_reading(session: ReadingSession) -> Audit:
     author = AuthorSession(session, {}, {}, {})
     describe = Describer(paper.source, paper.expanded, author, {})
     for formula in reading.formulas:
-        if formula.claim is not None and formula.item in reading.parts.of(formula.item).apart:
-            role = describe.roles.at(formula.item.printed.place)  # its value stands apart
-            role.own[formula.claim.id] = role.claims[formula.claim.id] = None
+        claim, printed = formula.claim, formula.item.printed
+        if claim is not None and printed not in claim.establishes():
+            role = describe.roles.at(
+                printed.place
+            )  # it is claimed of what the paper does not print
+            role.own[claim.id] = role.claims[claim.id] = None
     found = [formula for place in places for formula in describe.formulas(place)]
     by_place = {formula.item.printed: formula for formula in reading.formulas}
     no_formulas = [one for one in reading.formulas if one.item.trouble and one.role.name != UNREAD]

@@ -62,9 +62,8 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
                 continue
             said = cue("hamiltonian", item.words) or is_of_momenta(item, known.paper)
             said = said or (gives_lagrangian(item) and _is_of_sentence(laws[0], item))
-            doubt = (
-                Doubt.UNLESS_MENDED if said else Doubt.ALWAYS
-            )  # the letter alone may be another's
+            # the letter alone may be that of something else
+            doubt = Doubt.UNLESS_MENDED if said else Doubt.ALWAYS
             said = said or _is_deduced(laws[0], item)
             if said and _gives_energy(item, laws[0], known):
                 yield from _claims(item, laws[0], known, parts, place, doubt)

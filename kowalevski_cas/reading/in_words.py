@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence, Set
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, PoissonBracket
+from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -170,7 +170,7 @@ def _made(
         return
     given = [o for head, own in known.definitions.items() if head.startswith(BRACKET) for o in own]
     brackets = (*(one for one in given if one.typed.start < inside[1]),) or (*given,)
-    if name in ("casimir", "involution") and _are_anew(span, parts):
+    if name in ("casimir", "involution") and _are_anew(span, brackets, parts):
         return
     moved = {name for one in brackets for name in one.members[0].names()}
     listed = [*functions_of(every, known, moved)]
@@ -194,15 +194,14 @@ def _made(
             yield InWords(span, Casimir, (one, *brackets), values, name, says)
 
 
-def _are_anew(span: tuple[int, int], parts: Parts) -> bool:
-    """Whether the section of some words prints brackets otherwise than they were given before."""
+def _are_anew(span: tuple[int, int], given: Sequence[SourceStatement], parts: Parts) -> bool:
+    """Whether the section of some words prints brackets otherwise than they are given."""
     section = parts.paper.prose.path(span[0])[-1]
+    first = {one.members[0] for one in given}
     return any(
-        role.name == CLAIM and isinstance(item.members[0], PoissonBracket)
-        and all(isinstance(one, Name) for one in item.members[0].children())
+        role.name == CLAIM and item.section is section and {*item.members[:1]} & first
         for item, role in parts.roles.items()
-        if item.section is section and item.members
-    )  # fmt: skip
+    )
 
 
 def functions_of(

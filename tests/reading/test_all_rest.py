@@ -7,6 +7,7 @@ import pytest
 from kowalevski_cas.audit.reading import ReadingSession, uncovered
 from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.verify.outcome import Verdict
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import reading, verdicts
 from tests.sample import sampled
 
@@ -145,3 +146,12 @@ def test_a_list_is_green_if_it_has_all(seed):
     outcomes = ReadingSession(found, timeout=5).outcomes.values()
     assert all(one.verdict.green for one in outcomes) == whole, text
     assert not (whole and uncovered(found)), text
+
+
+@pytest.mark.parametrize(
+    ("place", "green"), [(r"\theta=\pi", True), (r"\theta=\frac{\pi}{3}", False)]
+)
+def test_the_audit_says_of_an_angle_what_is_found(place, green):
+    found = audited(PENDULUM + rf"An equilibrium is ${place}$, $p=0$.")
+    [formula] = [one for one in found.formulas if one.tex.startswith(r"\theta=")]
+    assert formula.verdict == (Verdict.PROVED if green else Verdict.UNDECIDED)

@@ -1,10 +1,14 @@
 """What words call a momentum belongs to the Lagrangian before it."""
 
+import random
+
 import pytest
 
 from kowalevski_cas.reading import CLAIM, DEFINITION
 from kowalevski_cas.verify.outcome import Verdict
+from tests.audit.test_doubted import audited
 from tests.reading.test_reading import roles, verdicts
+from tests.sample import sampled
 
 CENTRAL = r"The Lagrangian is \[ L=\frac12m(\dot r^2+r^2\dot\varphi^2)+\frac kr. \] "
 FIELD = r"Let \[ L=\frac12(\dot x_1^2+\dot x_2^2)+a\dot x_1x_2 \] be the Lagrangian. "
@@ -82,3 +86,50 @@ def test_the_energy_is_known_in_new_momenta(power, green):
     text = rf"""{PLANE} With the momenta \[ p_r=p_x\cos\varphi+p_y\sin\varphi,\qquad
     p_\varphi=xp_y-yp_x \] the Hamiltonian becomes \[ {formula}. \]"""
     assert verdicts(text)[formula].green == green
+
+
+@pytest.mark.parametrize(
+    ("text", "formula", "verdict"),
+    [
+        (CENTRAL + r"The momentum is $p_\varphi=§$.", r"mr^2\dot\varphi", Verdict.CONDITIONAL),
+        (CENTRAL + r"The momentum is $p_\varphi=§$.", r"mr\dot\varphi", Verdict.UNDECIDED),
+    ],
+)
+def test_the_audit_says_of_the_formula_what_is_found(text, formula, verdict):
+    [found] = [
+        one for one in audited(text.replace("§", formula)).formulas if one.tex.startswith("p_")
+    ]
+    assert found.verdict == verdict
+    assert ("mr^2" in found.message) == (verdict is Verdict.UNDECIDED)
+
+
+def a_change(seed):
+    """A change of two coordinates by polynomials, with a momentum, and whether it is the right one."""
+    rnd = random.Random(seed)
+    first, second = ([(rnd.randint(-3, 3) or 1, i, j) for i, j in ((1, 0), (1, 1))] for _ in "xy")
+    second[0] = (second[0][0], 0, 2)
+
+    def tex(terms):
+        return "+".join(f"({c}){'u' * i}{'v' * j}" for c, i, j in terms)
+
+    name, at = rnd.choice([("u", 1), ("v", 2)])
+
+    def slope(terms):
+        by = [(term[0] * term[at], term[1] - (at == 1), term[2] - (at == 2)) for term in terms]
+        return tex([one for one in by if one[0]]) or "0"
+
+    right = rnd.random() < 0.5
+    sign = "+" if right else "-"
+    return (
+        rf"""The Hamiltonian is \[ H=\frac12(p_x^2+p_y^2)+ax. \] Put $x={tex(first)}$, $y={tex(second)}$.
+        The conjugate momentum is \[ p_{name}=({slope(first)})p_x{sign}({slope(second)})p_y. \]""",
+        right,
+        slope(second) == "0",
+    )
+
+
+@pytest.mark.parametrize("seed", sampled(range(40), 4))
+def test_momenta_of_changes_by_polynomials(seed):
+    text, right, alike = a_change(seed)
+    [verdict] = [verdict for tex, verdict in verdicts(text).items() if tex.startswith("p_")]
+    assert verdict.green == (right or alike), text

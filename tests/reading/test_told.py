@@ -65,3 +65,12 @@ def test_brackets_of_another_section_may_be_others():
 def test_a_force_that_another_equation_gives_refutes_nothing():
     text = r"A block obeys $m\ddot x=P-F$ and $N-mg=0$, with $F=\mu N$. Then $m\ddot x=P-\mu mg$."
     assert verdicts(text)[r"m\ddot x=P-\mu mg"] is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("function", ["x+y", "x-y"])
+def test_brackets_of_functions_make_no_others(function):
+    text = r"""We have \[ \{x,y\}=1. \] Put $P=x$, $Q=§$. \section{B} Then $\{P,Q\}=1$. The functions
+    $P$ and $Q$ are in involution.""".replace("§", function)
+    found = reading(text)
+    claims = [one.claim for one in found.statements if one.claim is not None]
+    assert len(claims) == 1
