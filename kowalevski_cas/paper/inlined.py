@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root, once
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    PoissonBracket,
+    Root,
+    once,
+)
 from kowalevski_cas.notation.vocabulary import MATRIX
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import Plain
@@ -12,7 +20,7 @@ from kowalevski_cas.paper.texts import Printed
 
 
 class InlinedDefinitions:
-    """The places of the functions, brackets, matrices and values of roots that a place prints.
+    """The places of the functions, brackets, matrices, values of roots, and times in a place.
 
     Those that stand in their definitions are among them.
     """
@@ -27,7 +35,8 @@ class InlinedDefinitions:
             if arguments:
                 self._functions.setdefault(function, []).append(name)
         self._matrices = {name for name in scene.definitions if words.rank(name) == MATRIX}
-        self._nothing = not (self._functions or self._matrices or [*scene.branches()])
+        written_out = self._functions or self._matrices or [*scene.branches()] or scene.clock
+        self._nothing = not written_out
         self._known: dict[Printed, tuple[Printed, ...]] = {}
 
     def __call__(self, place: Printed) -> tuple[Printed, ...]:
@@ -48,6 +57,16 @@ class InlinedDefinitions:
                         found.add(place)
                         waiting.append(self.setting.definition(name))
                         yield place
+                clock = self._clock(defined)
+                if clock is not None and clock not in found:
+                    found.add(clock)
+                    waiting.append(self.setting.texts.as_printed(clock))
+                    yield clock
+
+    def _clock(self, formula: Formula) -> Printed | None:
+        """What gives the time by which a derivative is one, if it is another than the scene's."""
+        own = not isinstance(formula, Derivative) or self.plain.is_by_own_time(formula.mark)
+        return None if own else self.setting.scene.clock
 
     def _definitions_on_top(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
@@ -68,5 +87,5 @@ class InlinedDefinitions:
 @once
 def _heads(formula: Formula) -> list[Formula]:
     """What in a formula may be the head of a definition."""
-    heads = (Name, Application, PoissonBracket, Root)
+    heads = (Name, Application, PoissonBracket, Root, Derivative)
     return [node for node in formula.nodes() if isinstance(node, heads)]

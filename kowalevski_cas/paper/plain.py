@@ -204,7 +204,7 @@ class Plain:
         """The rate by the time of the scene, or by the other one that its clock declares."""
         scene = self.setting.scene
         rate = self._rate(argument)
-        if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
+        if self.is_by_own_time(mark):
             return rate
         change = self.setting.texts.time_change(scene.clock) if scene.clock is not None else None
         known = ("prime", change.time) if change is not None and scene.time == "t" else ("dot", "t")
@@ -214,6 +214,11 @@ class Plain:
             raise Meaningless(f"no derivative is printed as “{mark}” on “{scene.name}”")
         scale = self(change.rate)
         return Quotient(rate, scale) if scene.time == "t" else Product((scale, rate))
+
+    def is_by_own_time(self, mark: str) -> bool:
+        """Whether derivatives with this mark are those by the time of the scene."""
+        time = self.setting.scene.time
+        return mark in ("dot" if time == "t" else "prime", time)
 
     def _rate(self, argument: Formula) -> Formula:
         """The derivative along the field; that of a variable may be a variable."""

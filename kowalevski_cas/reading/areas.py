@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import Constant, Derivative, Name
+from kowalevski_cas.notation import Derivative, Name
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
@@ -66,7 +66,7 @@ def completes_law(
     rated = {name for one in others for name in one.rates} - {moving}
     bare = printed.members[0] == Name(value) or any(isinstance(m, Derivative) for m in row.members)
     beside = not bare and any(one.sentence == row.sentence for one in others)
-    constant = any(isinstance(member, Constant) for member in printed.members)
+    constant = printed.is_const
     words = paper.prose.between(row.section.start, row.section.end)
     return (
         bool(rated)

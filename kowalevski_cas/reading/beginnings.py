@@ -169,9 +169,13 @@ def _put(formula: Formula, by: Mapping[str, Formula]) -> Formula:
 def is_of_state(item: SourceStatement, law: Law, known: Known) -> bool:
     """Whether an equation is one between coordinates and velocities: no rate in it is of a law.
 
-    Where these stand in it themselves, no name stands for the value of an integral.
+    Where these stand in it themselves, no name stands for the value of an integral, or for what
+    has velocities in it, as an energy.
     """
-    free = not (any(map(known.moves, item.names)) and known.levels & item.names)
+    free = not (
+        any(map(known.moves, item.names))
+        and (known.levels & item.names or any(known.has_velocities(n) for n in item.names))
+    )
     return free and _has_velocities_only(item, [law])
 
 

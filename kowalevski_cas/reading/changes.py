@@ -50,7 +50,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         ]
         renaming = [one for one in sentence if _renames(one, law, seen, rated)]
         beside = (one for one in sentence if one not in giving and one not in renaming)
-        values = (one for one in beside if not _NEAR.search(one.before))
+        values = (one for one in beside if not (_NEAR.search(one.before) or one.is_const))
         other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
         if giving:  # beside these a new letter may stand for a variable as it is

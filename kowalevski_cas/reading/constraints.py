@@ -9,7 +9,7 @@ import re
 from collections.abc import Collection, Iterator
 from itertools import islice
 
-from kowalevski_cas.notation import Application, Constant, Name, Number, Power, Product, Vector
+from kowalevski_cas.notation import Application, Name, Number, Power, Product, Vector
 from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.claims import InvariantRelations
@@ -245,7 +245,7 @@ def _is_said_constant(name: str, known: Known) -> bool:
         name in one.names
         and (
             known.roles[one].name == ASSUMPTION
-            or any(isinstance(member, Constant) for member in one.members)
+            or one.is_const
             or (not one.members and cue("a constant", f"{one.lead[-40:]} § {one.tail[:40]}"))
         )
         for one in known.items

@@ -403,6 +403,12 @@ CUES: dict[str, str] = {
         \b(?:at|in)\s+(?:all|every|each|any)\s+points?\s*$ \beverywhere\s+(?:in|on)\s*$
         (?:област\w+|интервал\w*|полос\w+|полу(?:плоскост|пространств|прям|ос)\w+|квадрант\w*|октант\w*|сектор\w*|где)\s*$
         \b(?:всех|каждой|любой)\s+точ(?:ках|ке|ек)\s*$ \bвсюду\s+(?:в|на)\s*$""",
+    "family": r"""
+        (?:^|[.,;:]|\b(?:that|where|and|the|of|both|all)\b)\W*(?:coordinate\s+)?(?:lines|curves|surfaces|circles|planes|spheres|cones|cylinders|rays|levels)\s*$
+        (?:^|[.,;:]|\b(?:что|где|и|семейств\w+)\b)\W*(?:координатн\w+\s+)?(?:линии|линий|кривые|кривых|поверхност(?:и|ей)|окружност(?:и|ей)|плоскост(?:и|ей)|сферы|конусы|цилиндры|лучи)\s*$""",
+    "of motions": r"""
+        \b(?:trajector\w+|orbits?|solutions?|motions?|invariant|integrals?|stream\s*lines?|conserved|flow|remains?|stays?|preserved)\b
+        \b(?:траектор\w+|орбит\w+|решени\w+|движени\w+|инвариантн\w+|интегральн\w+|лини\w+\s+тока|сохран\w+)\b""",
     "condition": r"""
         \b(?:if|when|provided(?:\s+that)?|for)\s*$
         \bin\s+the\s+(?:\w+\s+)?case(?:\s+(?:of|when))?\s*$

@@ -38,6 +38,7 @@ from kowalevski_cas.reading.known import (
     LEVEL,
     NAMING,
     NOTATION,
+    OTHER,
     TOGETHER,
     Known,
     StatementRole,
@@ -46,6 +47,8 @@ from kowalevski_cas.reading.phrases import (
     integral_words,
     is_deduced_level,
     is_number,
+    joined_lead,
+    joined_tail,
     last_clause,
     plain,
     reach_of_constants,
@@ -64,6 +67,15 @@ def named_set(item: SourceStatement, known: Known) -> StatementRole | None:
     if name is None or not item.members:
         return None
     return StatementRole(DEFINITION, f"one of the equations of the set {name}", "set")
+
+
+def coordinate_lines(item: SourceStatement, known: Known) -> StatementRole | None:
+    """Where a coordinate is constant: “the curves x=const are hyperbolas”."""
+    coordinate = item.is_const and item.bare and not known.is_defined(item.bare[0])
+    said = cue("family", joined_lead(item)) if coordinate else ""
+    if not said or cue("of motions", joined_tail(item)):
+        return None
+    return StatementRole(OTHER, f"“{said.strip()}” are named by it")
 
 
 def law(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -370,7 +382,7 @@ def _constant(item: SourceStatement, known: Known, fresh: list[str]) -> Statemen
 
     So does “const” at the end of what names it.
     """
-    if any(isinstance(m, Constant) for m in item.members) and known.varying(item.names - {*fresh}):
+    if item.is_const and known.varying(item.names - {*fresh}):
         why = f"“const” stands at its end; it names {plain(fresh[0])}"
         return StatementRole(CLAIM, why, "integral", (*fresh,))
     first = known.seen.get(fresh[0])

@@ -239,6 +239,11 @@ class Known:
             waiting += [x for own in self.functions.get(one, ()) for x in own.by]
         return found
 
+    def has_velocities(self, name: str) -> bool:
+        """Whether rates stand in what defines a name, or in what defines names in that."""
+        by = (one for below in self.below(name) for one in self.definitions.get(below, ()))
+        return not self.moves(name) and any(one.derives for one in by)
+
     def is_explained(self, name: str) -> bool:
         """Whether a law, a definition, a supposition, or words say anything of a name."""
         named = any(item.formula == Name(name) for item in self.items)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from kowalevski_cas.notation import Constant, Name, Number, Root, Unwritten, to_latex
+from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
 from kowalevski_cas.notation.edits import substitute
 from kowalevski_cas.notation.layout import EITHER_SIGN
 from kowalevski_cas.paper.claims import (
@@ -270,7 +270,7 @@ class _Ladder(RungMaker):
     @property
     def _is_constant(self) -> bool:
         """Whether what moves is said to be constant."""
-        constant = any(isinstance(member, Constant) for member in self.item.members)
+        constant = self.item.is_const
         return constant and "t" not in self.item.names
 
     @property

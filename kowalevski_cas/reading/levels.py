@@ -7,36 +7,53 @@ from collections.abc import Iterator
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum, to_latex, total
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
+from kowalevski_cas.reading.known import CLAIM, CONVENTION, NOTATION, Known, StatementRole
 from kowalevski_cas.reading.phrases import integral_words, plain
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 
 def level(item: SourceStatement, known: Known) -> StatementRole | None:
-    """An equation that words call an integral, with one new name as a term by itself."""
-    found = _apart(item, known)
-    if found is None or not _is_of_state(item, known) or cue("deduced", item.lead):
+    """An equation with one new name as a term by itself, which words call an integral.
+
+    Or the first of several in a sentence that have this name, as where variables are separated.
+    """
+    names = [name for name, _ in _apart(item, known)]
+    if len(names) != 1 or not _is_of_state(item, known):
         return None
-    if not (said := integral_words(item)):
+    (name,) = names
+    if not known.varying(item.names - {name}):
         return None
-    name = found[0]
-    mentioned = any(name in law.mentions for law in known.laws)
-    used = mentioned or known.is_known(name) or name in known.later or known.moves(name)
-    if used or not known.varying(item.names - {name}):
+    if _separates(item, name, known):
+        why = f"gives the constant {plain(name)}, which others beside it have too"
+        return StatementRole(CLAIM, why, "integral")
+    if cue("deduced", item.lead) or name in known.later or not (said := integral_words(item)):
         return None
     why = f"“{said}” stands beside it; {plain(name)} is its value"
     return StatementRole(CLAIM, why, "integral")
+
+
+def _separates(item: SourceStatement, name: str, known: Known) -> bool:
+    """Whether others in its sentence are equations of motions with the same new constant."""
+    given = known.later.get(name, ())
+    if given and not any(known.varying(one.names - {name}) for one in given):
+        return False  # it stands for constants
+    having = [
+        one for one in known.paper.items if one.sentence == item.sentence if name in one.names
+    ]
+    beside = [one for one in having if one.formula != Name(name)]
+    of_motion = (one.members and one.derives and known.varying(one.names) for one in beside)
+    return len(beside) > 1 and all(of_motion) and not any(name in one.bare for one in beside)
 
 
 def levels_apart(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
     """These equations with the value alone on a side, by which it is defined."""
     for item, role in [*known.roles.items()]:
         own = role.kind == "integral" and not role.names and item in known.items
-        found = _apart(item, known) if own and _is_of_state(item, known) else None
-        if found is None or known.is_defined(found[0]) or known.seen.get(found[0]) is not item:
+        found = _apart(item, known) if own and _is_of_state(item, known) else []
+        if len(found) != 1:
             continue
-        name, tex = found
+        ((name, tex),) = found
         id = re.sub(r"\W+", "-", f"value-{name}-{item.order}{suffix}")
         new = unprinted(known.paper, id, tex, item, f"{item.printed.place} says it")
         known.apart[item] = new
@@ -45,15 +62,18 @@ def levels_apart(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, S
 
 def _is_of_state(item: SourceStatement, known: Known) -> bool:
     """Whether only rates stand in a statement that are velocities: the law gives higher ones."""
-    rates = [row.rates for law in known.laws for row in law.rows]
-    orders = {name: max((one.get(name, 0) for one in rates), default=0) for name in item.rates}
-    return all(n < orders[name] for name, n in item.rates.items())
+    orders: dict[str, int] = {}
+    for law in known.laws:
+        own = [(name, order) for row in law.rows for name, order in row.rates.items()]
+        changed = [(name, order) for _, order in own for name in law.new]
+        orders |= {name: max(n, orders.get(name, 0)) for name, n in own + changed}
+    return all(n < orders.get(name, 0) for name, n in item.rates.items())
 
 
-def _apart(item: SourceStatement, known: Known) -> tuple[str, str] | None:
-    """The only name of no function that is a term by itself, with what gives it; or ``None``."""
+def _apart(item: SourceStatement, known: Known) -> list[tuple[str, str]]:
+    """The new names of no functions that are terms by themselves, each with what gives it."""
     if len(item.members) != 2 or not any(isinstance(member, Sum) for member in item.members):
-        return None
+        return []
     found: list[tuple[str, str]] = []
     for one, other in (item.members, item.members[::-1]):
         terms = one.terms if isinstance(one, Sum) else ()
@@ -61,7 +81,7 @@ def _apart(item: SourceStatement, known: Known) -> tuple[str, str] | None:
             name = _name_of(term)
             if (
                 name
-                and not known.varies(name)
+                and _is_new(name, item, known)
                 and sum(node == Name(name) for m in item.members for node in m.nodes()) == 1
             ):
                 rest = total(t for t in terms if t is not term)
@@ -69,7 +89,17 @@ def _apart(item: SourceStatement, known: Known) -> tuple[str, str] | None:
                 value = term.argument if isinstance(term, Negative) else term
                 left = rf"{to_latex(sides[0])}-\left({to_latex(sides[1])}\right)"
                 found.append((name, f"{left}={to_latex(value)}"))
-    return found[0] if len(found) == 1 else None
+    return found
+
+
+def _is_new(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether nothing is known of a name before a statement, but that it is one."""
+    first = known.seen.get(name, item)
+    named = first is not item and known.roles[first].name == NOTATION
+    mentioned = any(name in law.mentions for law in known.laws)
+    return (first is item or named) and not (
+        mentioned or known.is_defined(name) or known.varies(name)
+    )
 
 
 def _name_of(term: Formula) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 from kowalevski_cas.notation import (
-    Constant,
     Derivative,
     Name,
     Number,
@@ -68,7 +67,7 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
     It defines no variable, also where the law that moves it cannot be read.
     """
     moving = [name for name in item.bare if known.moves(name)]
-    timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
+    timed = item.names & {"t"} or item.is_const
     beside = known.varying(item.names - {*item.bare})  # a relation with the time is an identity
     if moving and timed and not (beside and item.derives):
         return StatementRole(
@@ -334,7 +333,7 @@ def integral(item: SourceStatement, known: Known) -> StatementRole | None:
     """What words call an integral, or constant."""
     if not item.members:
         return None
-    if any(isinstance(member, Constant) for member in item.members):
+    if item.is_const:
         return StatementRole(CLAIM, "“const” stands at its end", "constant")
     if all(isinstance(member, PoissonBracket) or member == ZERO for member in item.members):
         return None  # it is said of what stands in the brackets

@@ -16,6 +16,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.definitions import (
     bracket,
     change,
+    coordinate_lines,
     definition,
     law,
     named_set,
@@ -453,11 +454,12 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 RULES: tuple[Rule, ...] = (
     unread, barred, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
-    expression, named_set, law, partial_equation, radius, solved, constraint, reaction, together,
-    unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged, inequality, roots_in_words,
-    happening, kept, unknown, repeated, gives_derivative, special_function, change, roots, by_steps,
-    claimed_set, point, tried, of_roots_spoken_of, solution, constant_of_solution, energy, momentum,
-    of_place, on_place, of_levels, one_of_several, definition, square, assumption, value,
-    approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,
+    expression, named_set, coordinate_lines, law, partial_equation, radius, solved, constraint,
+    reaction, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
+    inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,
+    special_function, change, roots, by_steps, claimed_set, point, tried, of_roots_spoken_of,
+    solution, constant_of_solution, energy, momentum, of_place, on_place, of_levels,
+    one_of_several, definition, square, assumption, value, approximate, set_of_rates,
+    of_some_motions, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

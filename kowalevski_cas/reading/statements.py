@@ -11,6 +11,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import (
     Conjugate,
+    Constant,
     Derivative,
     Formula,
     Name,
@@ -114,6 +115,11 @@ class SourceStatement:
         """The members of an equality; none of anything else."""
         formula = self.formula
         return formula.members if isinstance(formula, Relation) and formula.is_equality else ()
+
+    @property
+    def is_const(self) -> bool:
+        """Whether it says of something only that it is constant: “const” is a member."""
+        return any(isinstance(member, Constant) for member in self.members)
 
     @cached_property
     def rates(self) -> dict[str, int]:

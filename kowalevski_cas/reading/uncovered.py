@@ -114,9 +114,9 @@ STATES: dict[str, str] = {
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
     "degree": r"""
-        \b(?:linear|quadratic|cubic|quartic|(?<!characteristic\s)polynomial|rational|elliptic|homogeneous)\b
+        \b(?:linear|quadratic|cubic|quartic|(?<!characteristic\s)polynomial|rational|elliptic(?!\s+(?:coordinate|function|cylind)|al)|homogeneous)\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
-        эллиптическ\w+""",
+        эллиптическ\w+(?!\s+(?:координат|функци))""",
     "limit": r"""
         \bgenerali[sz]\w+ \breduces?\s+to\b \btends?\s+to\b \bspecial\s+case\b обобща\w+
         стрем\w+ся частн\w+\s+случа\w+""",
