@@ -64,9 +64,9 @@ def _is_of_state(item: SourceStatement, known: Known) -> bool:
     """Whether only rates stand in a statement that are velocities: the law gives higher ones."""
     orders: dict[str, int] = {}
     for law in known.laws:
-        own = [(name, order) for row in law.rows for name, order in row.rates.items()]
-        changed = [(name, order) for _, order in own for name in law.new]
-        orders |= {name: max(n, orders.get(name, 0)) for name, n in own + changed}
+        for name, order in (pair for row in law.rows for pair in row.rates.items()):
+            for one in (name, *law.new):  # what is changed has the same order
+                orders[one] = max(order, orders.get(one, 0))
     return all(n < orders.get(name, 0) for name, n in item.rates.items())
 
 
