@@ -31,6 +31,8 @@ def degrees(formula: Formula, known: Known) -> set[int]:
     match formula:
         case Name(name) if known.moves(name):
             return {1}
+        case Name(name) if (given := _given(name, known)) is not None:
+            return degrees(given, known)
         case Sum(terms):
             return {degree for one in terms for degree in degrees(one, known)}
         case Negative(argument) | Derivative(argument):
@@ -40,3 +42,11 @@ def degrees(formula: Formula, known: Known) -> set[int]:
         case Product(factors):
             return {sum(max(degrees(one, known), default=0) for one in factors)}
     return {2}
+
+
+def _given(name: str, known: Known) -> Formula | None:
+    """What gives a name alone, without it: ``None`` if nothing does, or more than one equation."""
+    match known.definitions.get(name, []):
+        case [by] if by.members[:1] == (Name(name),) and len(by.members) == 2:
+            return by.members[1] if name not in by.members[1].names() else None
+    return None

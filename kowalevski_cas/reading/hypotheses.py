@@ -7,9 +7,8 @@ from bisect import bisect_left
 from collections.abc import Collection
 
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
-from kowalevski_cas.notation.symbol import rate_name, symbol
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.deviations import at_no_deviation
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
 from kowalevski_cas.reading.phrases import right_behind
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
@@ -17,7 +16,6 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.tried import amplitude_equations
 from kowalevski_cas.reading.unknowns import equations_before
-from kowalevski_cas.reading.unprinted import unprinted
 
 EQUATIONS = ("integral", "identity")
 """The kinds of claims that may hold on a part of the phase space only."""
@@ -49,10 +47,10 @@ def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
     last: list[SourceStatement] = []
     for one in known.roles:
         if one.order < item.order and one.paragraph == item.paragraph:
-            last += [o for o in (one, *known.cited(one)) if _is_set(o, known)]
+            last += [o for o in (one, *known.cited(one)) if is_set(o, known)]
     if not last:
         return ()
-    display = [one for one in known.roles if one.typed is last[-1].typed and _is_set(one, known)]
+    display = [one for one in known.roles if one.typed is last[-1].typed and is_set(one, known)]
     sets = sets_of({*last, *display}, known.paper.source.text)
     own = next(one for one in sets if last[-1] in one)
     beside = [one for one in sets if one[0].sentence == own[0].sentence]
@@ -126,7 +124,7 @@ def set_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
     last = before[-1] if before else item
     if last.sentence != item.sentence or last.typed.inline or not _THERE.match(item.lead):
         return ()
-    return tuple(one for one in before if one.typed is last.typed and _is_set(one, known))
+    return tuple(one for one in before if one.typed is last.typed and is_set(one, known))
 
 
 _IN_LIST = re.compile(r"[\s,]*(?:\b(?:and|и)\b[\s,]*)?")
@@ -160,7 +158,7 @@ def set_right_behind(item: SourceStatement, known: Known) -> SetOfEquations:
         own.append(one)
     given = [name for one in own for name in one.bare]
     several = len(given) > len({*given})  # it is so at each of some places
-    return () if several or not all(_is_set(one, known) for one in own) else tuple(own)
+    return () if several or not all(is_set(one, known) for one in own) else tuple(own)
 
 
 def _is_of_set(item: SourceStatement, name: str, known: Known) -> bool:
@@ -171,71 +169,6 @@ def _is_of_set(item: SourceStatement, name: str, known: Known) -> bool:
 
 def _bare(tex: str) -> str:
     return re.sub(r"[\s{}.,;]", "", tex)
-
-
-def near(item: SourceStatement, known: Known) -> SetOfEquations:
-    """The point, or the set, near which what is linear holds: where all is given by constants.
-
-    What has an equation of the second order is at rest there. Where small angles are spoken of, and
-    no point, they are zero; near the origin all is.
-    """
-    if deviating := at_no_deviation(item, _last_place(item, known), known):
-        return deviating
-    last = last_place(item, known)
-    if not all(is_value(one, known) for one in last):
-        return ()
-    orders: dict[str, int] = {}
-    for name, order in (own for law in known.laws for own in law.orders.items()):
-        orders[name] = max(order, orders.get(name, 0))
-    moving = [*orders]
-    names = {*known.names.scalars(name for one in last for name in one.bare)} & {*moving}
-    words = known.paper.prose.between(item.section.start, item.sentence[1])
-    if not last and _ORIGIN.search(item.before):
-        names = {*moving}
-    elif not last and (_small(item, known) or cue("small", words)):
-        names = {*moving} & {*known.names.scalars(item.names | {*item.rates})}
-    zero = [] if last else sorted(names)
-    zero += [rate_name(name) for name in sorted(names) if orders[name] > 1]
-    if last and names < {*moving}:  # all else is at rest there, too
-        zero += [rf"\dot{{{name}}}" for name in sorted(names) if orders[name] == 1]
-    about = (
-        unprinted(known.paper, f"at-rest-{k}", f"{name}=0", item) for k, name in enumerate(zero)
-    )
-    return (*last, *about)
-
-
-def _small(item: SourceStatement, known: Known) -> bool:
-    """Whether words call what moves in a statement small, and that is all that they call so."""
-    before = [one for one in known.items if one.section is item.section and one.order < item.order]
-    small = [one.formula for one in before if _SMALL.search(one.lead)]
-    moving = {Name(name) for name in item.names if known.moves(name)}
-    return bool(small) and {*small} == moving
-
-
-_ORIGIN = re.compile(r"\b(?:near|about|around|at)\s+the\s+origin\b", re.IGNORECASE)
-_SMALL = re.compile(r"\b(?:small|мал\w+)[\s~]*$", re.IGNORECASE)
-
-
-def last_place(item: SourceStatement, known: Known) -> SetOfEquations:
-    """What the last sentence says that gives what moves, near which what is linear holds.
-
-    It is that of the statement, or one before it in the paragraph.
-    """
-    start = max(item.paragraph, item.section.start)
-    linear = cue("linear", known.paper.prose.between(start, item.sentence[1]))
-    return _last_place(item, known) if linear else ()
-
-
-def _last_place(item: SourceStatement, known: Known) -> SetOfEquations:
-    """What gives what moves, or a set, in the sentence of a statement, or last before it."""
-    start = max(item.paragraph, item.section.start)
-    before = [
-        one
-        for one in known.items
-        if start <= one.typed.start and one.order < item.order
-        and (is_value(one, known) or _is_set(one, known))
-    ]  # fmt: skip
-    return tuple(one for one in before if one.sentence == before[-1].sentence)
 
 
 def is_value(one: SourceStatement, known: Known) -> bool:
@@ -299,6 +232,7 @@ def _restricts(one: SourceStatement, known: Known) -> bool:
     return role.name == CLAIM and not role.names and (said or role.kind in EQUATIONS)
 
 
-def _is_set(one: SourceStatement, known: Known) -> bool:
+def is_set(one: SourceStatement, known: Known) -> bool:
+    """Whether a statement is an equation of a set of the phase space."""
     role = known.roles.get(one)
     return role is not None and (role.kind.startswith("set") or role.kind in SETS)

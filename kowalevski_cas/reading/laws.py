@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name
@@ -132,13 +133,20 @@ def _in_order(items: Sequence[SourceStatement]) -> list[SourceStatement]:
     return sorted(items, key=lambda one: one.order)
 
 
+_SETS_UP = re.compile(
+    r"\W*(?:(?:now|here|we|теперь)\s+)*(?:let|consider|suppose|given|пусть|рассмотрим)[\s:~]*",
+    re.IGNORECASE,
+)
+"""Words of a sentence that begins with equations of motion."""
+
+
 class _LawFinder(PrintedRates):
     """The laws of a paper: the closed sets of its rates, one after the other."""
 
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
         aside = any(section.title == "abstract" for section in item.sections)
-        said = self.inline or cue("system", item.lead)
+        said = self.inline or cue("system", item.lead) or _SETS_UP.fullmatch(item.lead)
         return not item.typed.inline or bool(said and not aside)
 
     def laws(self) -> Iterator[Law]:

@@ -19,9 +19,9 @@ from kowalevski_cas.reading.beginnings import (
     where_it_begins,
 )
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.hypotheses import near
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.nearby import near
 from kowalevski_cas.reading.numerals import ORDINALS
 from kowalevski_cas.reading.orders import orders_of
 from kowalevski_cas.reading.rung import Rung, RungMaker, places

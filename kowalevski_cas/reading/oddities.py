@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kowalevski_cas.notation import Name
-from kowalevski_cas.reading.hypotheses import last_place
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, NAMING, Known
+from kowalevski_cas.reading.nearby import last_place
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import is_printed
 

@@ -147,7 +147,8 @@ class OtherCases:
 
         It stands in the paragraph, or alone in the section, and is no law by itself.
         """
-        if not _OF_THIS.search(item.before):
+        approximate = item in self.parts.paper.approximate
+        if approximate or not _OF_THIS.search(item.before):
             return []
         laws = self.parts.of(item).laws
         before = [

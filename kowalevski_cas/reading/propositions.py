@@ -15,7 +15,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.degrees import is_linear
+from kowalevski_cas.reading.degrees import degrees, is_linear
 from kowalevski_cas.reading.deviations import is_linear_in_deviations
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, DEFINITION, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
@@ -56,9 +56,10 @@ def approximate(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _is_linear_near_a_place(item: SourceStatement, known: Known) -> bool:
-    """Whether words call rates linear near a place, where the law is not: its letters deviate."""
-    near = cue("place", item.before) and cue("linear", item.before)
-    return bool(near and item.derives) and not all(is_linear(law, known) for law in known.laws)
+    """Whether rates are linear near a place, where the law is not: its letters deviate."""
+    near = cue("place", item.before) and item.rates and known.varying(item.names)
+    linear = cue("linear", item.before) or all(degrees(m, known) <= {0, 1} for m in item.members)
+    return bool(near and linear) and not all(is_linear(law, known) for law in known.laws)
 
 
 def solution(item: SourceStatement, known: Known) -> StatementRole | None:

@@ -161,9 +161,9 @@ def coordinates(
 
 
 def _tying(names: Set[str], known: Known) -> Iterator[SourceStatement]:
-    """The equations that say of letters which values they have: they give no other letter."""
+    """The equations that say of letters which values they have: they give no other one, or rate."""
     for one in known.items:
-        first = one.members[0] if names & one.names and one.members else None
+        first = one.members[0] if names & one.names and one.members and not one.derives else None
         if first is not None and (not isinstance(first, Name) or first.name in names):
             yield one
 

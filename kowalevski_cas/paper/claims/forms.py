@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Sum,
 )
 from kowalevski_cas.paper.components import parts, sides
+from kowalevski_cas.paper.differentiate import derivative
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.generators import values_at_zero
@@ -157,10 +158,13 @@ def _with_rates(space: Elaboration, formula: Formula) -> Formula:
     }
 
     def put(part: Formula) -> Formula:
-        match part:
-            case Derivative(Name(name)) if name in known:
-                return known[name]
-        return part.map_children(put)
+        inner = part.map_children(put)
+        if isinstance(inner, Derivative):
+            reach = Reach(space)
+            reach.formula(inner.argument)
+            if {*space.variables} & reach.names <= known.keys():
+                return derivative(inner.argument, known, space.step)
+        return inner
 
     return put(formula)
 
