@@ -173,7 +173,10 @@ class ReadingSession:
         else is claimed is true of names that have their meaning without it.
         """
         proved = {
-            formula.item.printed for id, formula in self.claiming.items() if found[id].verdict.green
+            place
+            for claim in self.interpretation.derivation.claims
+            if found[claim.id].verdict.green
+            for place in (self.claiming[claim.id].item.printed, *claim.establishes())
         }
         unproved = {
             formula.item.printed: formula.role.kind

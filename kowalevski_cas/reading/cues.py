@@ -399,7 +399,7 @@ CUES: dict[str, str] = {
         \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*§ \bне\s+(?:при|когда|если)\s*§
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
-        \b(?:region|domain|interval|strip|half-?(?:plane|space|line|axis)|quadrant|octant|orthant|sector|where)\s*$
+        \b(?:region|domain|interval|strip|half-?(?:plane|space|line|axis)|quadrant|octant|orthant|sector|where|in)\s*$
         \b(?:at|in)\s+(?:all|every|each|any)\s+points?\s*$ \beverywhere\s+(?:in|on)\s*$
         (?:област\w+|интервал\w*|полос\w+|полу(?:плоскост|пространств|прям|ос)\w+|квадрант\w*|октант\w*|сектор\w*|где)\s*$
         \b(?:всех|каждой|любой)\s+точ(?:ках|ке|ек)\s*$ \bвсюду\s+(?:в|на)\s*$""",

@@ -15,6 +15,7 @@ from kowalevski_cas.paper.claims import (
     Frequency,
     FrequencyEquation,
     LinearPart,
+    Period,
     PreservedMeasure,
     RestPoint,
     RestPoints,
@@ -48,6 +49,7 @@ from kowalevski_cas.reading.small_oscillations import (
     equation_of_root,
     is_damped,
     is_of_equation,
+    is_period,
     letters_for,
     linear_before,
     may_be_of_frequencies,
@@ -80,8 +82,10 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
     equation: SourceStatement | None = None
     place = places_of
     if at.role.kind == FREQUENCY:
-        kind, about = Frequency, {"is_square": prints_square(item)}
-        says = "this is the frequency of small oscillations near this point"
+        period = is_period(item)
+        kind, about = Period if period else Frequency, {"is_square": prints_square(item)}
+        word = "period" if period else "frequency"
+        says = f"this is the {word} of small oscillations near this point"
     elif at.role.kind == CHARACTERISTIC:
         kind, about = CharacteristicEquation, {"variable": variable_of(item, known)}
         says = "this is the characteristic equation of the linear part at this point"
@@ -117,7 +121,8 @@ def _of_linear_part(at: RungMaker) -> Iterator[Rung]:
         )  # fmt: skip
         yield replace(
             rung, constants=tuple(one for one in rung.constants if one not in letters),
-            is_stronger=only_called or (kind is Frequency and any(map(is_damped, law.rows))),
+            is_stronger=only_called
+            or (issubclass(kind, Frequency) and any(map(is_damped, law.rows))),
         )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.degrees import degrees, is_linear
 from kowalevski_cas.reading.hypotheses import is_value
-from kowalevski_cas.reading.known import CLAIM, Known, StatementRole
+from kowalevski_cas.reading.known import CLAIM, NOTATION, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
     DETERMINANT,
@@ -44,24 +44,32 @@ _SMALL = (
 _FREQUENCY = (
     r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)"
     r"(?:(?:angular|circular|cyclic|common|natural|круговой|круговую|циклическ\w+)\s+)?"
-    r"(?:frequenc(?:y|ies)|частот\w*)"
+    r"(?:frequenc(?:y|ies)|частот\w*)(?:[\s~]+§)?"
 )
+_PERIOD = r"(?P<squares>)(?:periods?|период\w*)(?:[\s~]+§)?"
 _PLACE = (
-    r"(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
+    r"(?:[\s~]+§)?(?:[\s~]+of\s+(?:the|this|our)\s+\w+)?"
     r"(?:[\s~]+(?:about|around|near|at|in|вблизи|около|возле|в|у)\b[^.;]*)?"
 )
 _IS = (
-    r"(?:is|are|equals?|(?:is|are)\s+given\s+by|равн\w+|есть|суть|[-—–]+)?"
+    r"(?:is|are|equals?|(?:is|are)\s+(?:given|determined)\s+by(?:\s+the\s+(?:formula|equation|expression|relation))?"
+    r"|(?:определя|да)[её]тся(?:\s+(?:формул|равенств|выражени|соотношени)\w+)?|равн\w+|есть|суть|[-—–]+)?"
     r"(?:[\s,~]*(?:then|therefore|thus|hence|поэтому|тогда)\b)?[\s:,~]*(?:§[\s,~]*(?:where|with|где)[\s~]*)?$"
 )
-_OF_SMALL = re.compile(
-    rf"\b{_FREQUENCY}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
-    rf"|\bnormal\s+{_FREQUENCY.replace('squares', 'squares_normal')}[\s~]*{_IS}"
-    rf"|\b(?:{_SMALL}){_PLACE}[\s~]+(?:then\s+)?(?:have|has|with|име\w+)\s+(?:then\s+)?(?:the\s+)?"
-    rf"{_FREQUENCY.replace('squares', 'squares_behind')}[\s:~]*$",
-    re.IGNORECASE,
-)
-"""How words end behind which frequencies of small oscillations are printed."""
+
+
+def _of_small(noun: str) -> re.Pattern[str]:
+    """How words end behind which frequencies, or periods, of small oscillations are printed."""
+    return re.compile(
+        rf"\b{noun}\s+(?:of\s+)?(?:the\s+)?(?:{_SMALL}){_PLACE}[\s~]*{_IS}"
+        rf"|\bnormal\s+{noun.replace('squares', 'squares_normal')}[\s~]*{_IS}"
+        rf"|\b(?:{_SMALL}){_PLACE}[\s~]+(?:then\s+)?(?:have|has|with|име\w+)\s+(?:then\s+)?(?:the\s+)?"
+        rf"{noun.replace('squares', 'squares_behind')}[\s:~]*$",
+        re.IGNORECASE,
+    )
+
+
+_OF_SMALL, _PERIOD_OF_SMALL = _of_small(_FREQUENCY), _of_small(_PERIOD)
 _OF_EQUATION = re.compile(
     rf"\b{_FREQUENCY}(?:[\s~]+of\s+(?:(?:the|these|this|such|its)\s+)?(?:oscillations?|vibrations?))?[\s~]*{_IS}",
     re.IGNORECASE,
@@ -129,10 +137,16 @@ def small_oscillation(item: SourceStatement, known: Known) -> StatementRole | No
 def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | None:
     """The name of a frequency of small oscillations, if a statement prints one; no number of them.
 
-    With the number π it may count oscillations in a unit of time. A name that has been used is
-    not given by it.
+    With the number π it may count oscillations in a unit of time, if no words call it a period. A
+    name that has been used for something is not given by it.
     """
-    if len(item.members) not in (0, 2) or PI in item.names:
+    if len(item.members) not in (0, 2):
+        return None
+    if is_period(item):
+        given = item.bare[0] if item.bare else ""
+        fresh = not given or _is_named_only(given, item, known)
+        return (FREQUENCY, given, "a period") if fresh else None
+    if PI in item.names:
         return None
     equation = equation_of_root(item, known)
     is_root = equation is not None and may_be_of_frequencies(equation, known)
@@ -141,11 +155,24 @@ def frequency(item: SourceStatement, known: Known) -> tuple[str, str, str] | Non
     match item.members[:1]:
         case () if not isinstance(item.formula, Name) or known.is_known(item.formula.name):
             return FREQUENCY, "", "a frequency"
-        case (Name(name),) if is_root or not known.is_known(name):
+        case (Name(name),) if is_root or _is_named_only(name, item, known):
             return FREQUENCY, "" if is_root else name, "a frequency"
-        case (Power(Name(name), Number(2)),) if is_root or not known.is_known(name):
+        case (Power(Name(name), Number(2)),) if is_root or _is_named_only(name, item, known):
             return FREQUENCY, "" if is_root else name, "the square of a frequency"
     return None
+
+
+def is_period(item: SourceStatement) -> bool:
+    """Whether words call a number with π the period of small oscillations."""
+    return PI in item.names and _PERIOD_OF_SMALL.search(before_list(item.before)) is not None
+
+
+def _is_named_only(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether nothing is known of a name, but that the sentence prints it as one before."""
+    first = known.seen.get(name)
+    if first is None or known.is_defined(name) or known.moves(name):
+        return not known.is_known(name)
+    return first.sentence == item.sentence and known.roles[first].name == NOTATION
 
 
 _ROOTS = re.compile(

@@ -89,10 +89,11 @@ def flow():
 
 
 def near_rest():
-    """Claims about the linear part of a flow, which is free of s."""
-    plane = System(r"\dot x=-2y+sxy,\quad \dot y=2x+sy^2")
+    """Claims about the linear part of a flow, which is free of s and π."""
+    plane = System(r"\dot x=-2y+sxy+\pi x^2,\quad \dot y=2x+sy^2")
     rest = ("x=0", "y=0")
     plane.states(kinds.Frequency, "frequency", "", printed="4", relations=rest, is_square=True)
+    plane.states(kinds.Period, "period", "", printed=r"\pi", relations=rest, is_square=False)
     about = {"relations": rest, "variable": "s"}
     plane.states(kinds.CharacteristicEquation, "characteristic", "", printed="3s^2=-12", **about)
     about = {"relations": rest, "variable": "s"}

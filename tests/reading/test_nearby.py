@@ -83,3 +83,48 @@ def test_of_several_places_or_of_none_nothing_is_proved(words):
     found = verdicts(EULER + words + r" $\dot p=(b-c)r_0q$, $\dot q=(c-a)r_0p$.")
     rates = [verdict for formula, verdict in found.items() if formula.startswith(r"\dot")]
     assert {*rates}.isdisjoint(GREEN)
+
+
+PENDULUM = r"A pendulum moves by \[\ddot\theta=-\frac gl\sin\theta+w^2\sin\theta\cos\theta.\] "
+RUSSIAN = PENDULUM.replace("A pendulum moves by", "Рассмотрим уравнение")
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (
+            PENDULUM + r"The position $\theta=0$ is an equilibrium. The frequency $\Omega$ of small"
+            r" oscillations about it is given by the formula $\Omega^2=\frac gl%sw^2$.",
+            "-",
+            "+",
+        ),
+        (
+            RUSSIAN + r"Положение $\theta=0$ является равновесием. Частота малых колебаний $\Omega$"
+            r" около этого положения определяется формулой \[\Omega^2=\frac gl%sw^2.\]",
+            "-",
+            "+",
+        ),
+        (
+            r"The averaged system is \[\dot J=-\zeta J,\qquad \dot\zeta=\frac{J-T}{Q}.\] It has the"
+            r" only equilibrium $J=T,\ \zeta=0$ in $J>0$. The frequency of small oscillations about"
+            r" it is \[\Omega=\sqrt{%s}.\]",
+            "T/Q",
+            "TQ",
+        ),
+        (
+            PENDULUM + r"The period $T$ of small oscillations about $\theta=0$ is"
+            r" $T=%s\pi\sqrt{\frac{l}{g-lw^2}}$.",
+            "2",
+            "",
+        ),
+        (
+            PENDULUM + r"Small oscillations about $\theta=0$ have the period"
+            r" $2\pi\left(\frac gl%sw^2\right)^{-1/2}$.",
+            "-",
+            "+",
+        ),
+    ],
+)
+def test_frequencies_and_periods_of_small_oscillations(text, right, wrong):
+    assert [*verdicts(text % right).values()][-1] in GREEN
+    assert [*verdicts(text % wrong).values()][-1] not in GREEN

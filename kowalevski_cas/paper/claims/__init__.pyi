@@ -21,6 +21,7 @@ from kowalevski_cas.paper.claims.eigenvalue import Eigenvalue as Eigenvalue
 from kowalevski_cas.paper.claims.eigenvalue import Frequency as Frequency
 from kowalevski_cas.paper.claims.eigenvalue import FrequencyEquation as FrequencyEquation
 from kowalevski_cas.paper.claims.eigenvalue import LinearPart as LinearPart
+from kowalevski_cas.paper.claims.eigenvalue import Period as Period
 from kowalevski_cas.paper.claims.eigenvalue import TraceOrDeterminant as TraceOrDeterminant
 from kowalevski_cas.paper.claims.equilibria import Equilibria as Equilibria
 from kowalevski_cas.paper.claims.equilibria import RestPoint as RestPoint

@@ -35,6 +35,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, as_matrices, determinant
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation, Meaningless
 
@@ -91,12 +92,23 @@ class Frequency(OfLinearPart):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         value, given = self._value(on, space), self._at_rest(on, space)
-        square = value if self.is_square else Power(value, Number(2))
-        matrix = _linear_part(space)
+        square, matrix = self._square(value), _linear_part(space)
         matrix = _minus(_product(matrix, matrix), Negative(square))
         yield Fails(space, ((vanishes(square),),), given)
         yield Follows(space, ((vanishes(determinant(matrix)), *_rest(space)),), given)
         yield from self._compared(on)
+
+    def _square(self, value: Formula) -> Formula:
+        """The square of the frequency, by what is printed."""
+        return value if self.is_square else Power(value, Number(2))
+
+
+class Period(Frequency):
+    r"""The printed number is the period of small oscillations: :math:`2\pi` over a frequency."""
+
+    def _square(self, value: Formula) -> Formula:
+        whole = Power(Product((Number(2), Name(PI))), Number(2))
+        return Quotient(whole, super()._square(value))
 
 
 class CharacteristicEquation(OfLinearPart):
