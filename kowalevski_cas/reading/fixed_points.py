@@ -55,7 +55,11 @@ def by_steps(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(OTHER, f"gives {plain(given[0])} by the number of steps", "asked")
     names = {*item.names} - {*given}
     others = [{x for pair in law.images for x in pair} for law in known.laws if law.images]
-    if given and any(names & own for own in others if given[0] not in own):
+    moving = names & {x for own in others for x in own}
+    apart = [own for own in others if given and given[0] not in own]
+    if any(moving & own for own in apart) and not any(
+        moving <= o for o in others if o not in apart
+    ):
         why = f"gives {plain(given[0])} by what another map moves"
         return StatementRole(OTHER, why, "asked")
     return None

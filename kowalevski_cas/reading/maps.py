@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from kowalevski_cas.notation import Derivative, Formula, Name, PoissonBracket, Summation, to_latex
 from kowalevski_cas.notation.symbol import symbol
@@ -102,7 +103,8 @@ def _follows(item: SourceStatement, finder: _MapFinder, maps: Sequence[Law]) -> 
     """
     letters = {symbol(x).letter for law in maps for x, _ in law.images}
     own = {symbol(x).letter for x in finder.images([item])}
-    if finder.is_arrow(item):
+    accents = [finder.accents(law.items) for law in maps]
+    if finder.is_arrow(item) or (maps and finder.accents([item]) not in accents):
         return False
     if maps and cue("deduced", item.lead):
         return True
@@ -123,6 +125,29 @@ class _MapFinder:
             if self._may_be_row(item) and said.verb(item) in ("", "law", "map")
         ]
 
+    @cached_property
+    def accented(self) -> dict[str, str]:
+        r"""The images that are printed with an accent, as :math:`\tilde x`, with the variables.
+
+        Words of the section speak of a map, and a display has both of them.
+        """
+        found: dict[str, str] = {}
+        for item in self.paper.items:
+            words = self.paper.prose.between(item.section.start, item.sentence[1])
+            if item.typed.inline or not item.members or item.derives or not cue("map", words):
+                continue
+            display = (one for one in self.paper.items if one.typed is item.typed)
+            beside = {name for one in display for name in one.names}
+            for name in sorted(item.names):
+                variable = replace(symbol(name), accents=()).name
+                if len(symbol(name).accents) == 1 and variable in beside:
+                    found[name] = variable
+        return found
+
+    def accents(self, items: Sequence[SourceStatement]) -> set[tuple[str, ...]]:
+        """With which accents images are printed in statements."""
+        return {symbol(n).accents for one in items for n in one.names if n in self.accented}
+
     def is_arrow(self, item: SourceStatement) -> bool:
         """Whether a statement is printed as what a map takes a point to."""
         text = self.paper.expanded.text[item.typed.start : item.typed.end]
@@ -141,6 +166,12 @@ class _MapFinder:
         names = sorted({name for item in items for name in item.names})
         primed = {name[:-1]: name for name in names if name in self.primed}
         primed |= {name: f"{name}'" for name in names if f"{name}'" in self.primed}
+        accents = self.accents(items)
+        primed |= {
+            x: new
+            for new, x in self.accented.items()
+            if {x, new} & {*names} and symbol(new).accents in accents
+        }
         steps = {step[1] for name in names if (step := _STEP.fullmatch(symbol(name).index))}
         found = [images_by_index(names, n) for n in sorted(steps - self.linked)]
         return primed | {x: new for own in found for x, new in own.items()}
@@ -167,7 +198,8 @@ class _MapFinder:
         self, items: Sequence[SourceStatement], images: dict[str, str]
     ) -> dict[str, str]:
         """The names in equations of which others have images, with these."""
-        every = self.images(self.rows)
+        accents = self.accents(items)
+        every = self.images([row for row in self.rows if self.accents([row]) <= accents])
         names = {name for item in items for name in item.names}
         known = {*images, *images.values()}
         return {name: every[name] for name in names & every.keys() if name not in known}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from kowalevski_cas.notation import Conjugate, Name, Number, Relation
+from kowalevski_cas.notation import Name, Number, Relation
 from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
@@ -167,14 +167,6 @@ def unread(item: SourceStatement, known: Known) -> StatementRole | None:
     if item.trouble and _TO_INFINITY.fullmatch(item.typed.tex):
         return StatementRole(OTHER, "no equation")
     return StatementRole(UNREAD, item.trouble) if item.trouble else None
-
-
-def barred(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What has a letter with a bar that is a new name: it would be read as a conjugate."""
-    nodes = item.formula.nodes() if item.formula is not None else ()
-    bars = known.paper.bars_make_names and any(isinstance(node, Conjugate) for node in nodes)
-    why = "a bar makes a new name here, which is not read: print a tilde"
-    return StatementRole(OTHER, why, "asked") if bars and known.law_of(item) is None else None
 
 
 def of_other_number(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -453,7 +445,7 @@ def of_flow(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 RULES: tuple[Rule, ...] = (
-    unread, barred, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
+    unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
     expression, named_set, coordinate_lines, law, partial_equation, radius, solved, constraint,
     reaction, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
     inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,

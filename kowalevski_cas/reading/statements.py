@@ -10,7 +10,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kowalevski_cas.notation import (
-    Conjugate,
     Constant,
     Derivative,
     Formula,
@@ -25,6 +24,7 @@ from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.times import time_change
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.bars import with_bars
 from kowalevski_cas.reading.counted import counts, stands_in, with_counts
 from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.derivations import with_derivations
@@ -301,22 +301,6 @@ class SourcePaper:
         return found
 
     @cached_property
-    def bars_make_names(self) -> bool:
-        r"""Whether a letter with a bar is first printed where it is given, as :math:`\\bar x=x+y`.
-
-        Where nothing is complex this is a new name, and no conjugate of what moves.
-        """
-        barred = [one for one in self.items if one.members and Conjugate in map(type, _nodes(one))]
-        if not barred or any("i" in one.names for one in self.items):
-            return False
-        if _COMPLEX.search(self.prose.text):
-            return False
-        match barred[0].members:
-            case (Conjugate(Name(name)), value):
-                return value != Name(name) and Conjugate not in map(type, value.nodes())
-        return False
-
-    @cached_property
     def maps(self) -> frozenset[SourceStatement]:
         """The statements with primes in a section that speaks of a map: they are images."""
         words = self.prose.between
@@ -341,12 +325,6 @@ class SourcePaper:
         return found
 
 
-_COMPLEX = re.compile(
-    r"\b(?:complex|conjugate\s+(?:of|to|function|number|quantit)\w*|holomorphic|комплексн\w*|сопряж[её]нн\w+\s+(?:к|функци|числ|величин)\w*)",
-    re.IGNORECASE,
-)
-
-
 def _nodes(item: SourceStatement) -> list[Formula]:
     return [*item.formula.nodes()] if item.formula is not None else []
 
@@ -359,6 +337,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
+    typed = [*with_bars(typed, expanded.text)]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
     functions = free_functions(printed, expanded.text)
