@@ -136,6 +136,8 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     names = setting.scene.vectors.get(inner.name, (inner.name,))
     if inner.name in setting.scene.definitions and {*names}.isdisjoint(setting.scene.variables):
         return None  # what it stands for moves
+    if len(names) > 1 and not setting.scene.definitions.keys().isdisjoint(names):
+        return None  # what some of its components stand for
     for _ in range(order):
         if not {*names} <= setting.velocities.keys():
             return None

@@ -65,11 +65,22 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         )
         timed = any("t" in one.names for one in giving)  # else it is a solution
         for names in ([] if timed else [*new], [name for name in new if name in rated]):
-            if giving and names and len(names) == len(given):
-                yield Law((), law.names, base=law, change=tuple(giving), new=(*names,))
+            own = giving if len(names) == len(given) else _on_a_set(giving, names)
+            if own and names:
+                yield Law((), law.names, base=law, change=tuple(own), new=(*names,))
                 break
         for one in sentence:
             seen |= one.names
+
+
+def _on_a_set(giving: Sequence[SourceStatement], names: Sequence[str]) -> list[SourceStatement]:
+    r"""As many of the statements as there are new names, where each gives a variable by all these.
+
+    So :math:`\gamma_1=\cos\theta` is one, and :math:`\gamma_2=-\sin\theta` beside it says on
+    which set the motion is.
+    """
+    having = all({*names} <= one.members[1].names() for one in giving)
+    return [*giving[: len(names)]] if having and len(giving) > len(names) else []
 
 
 def gives_factor(item: SourceStatement, law: Law, rated: Collection[str]) -> bool:

@@ -27,7 +27,7 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     What stands just before is given too, if the words say so; so is what is left of the law by
     forms of solutions that are tried before, and equations for unknowns.
     """
-    sets = tuple(known.sets(item))
+    sets = sets_in_force(item, known)
     cited = [one for one in known.cited(item) if _restricts(one, known)]
     cited += [one for one in _said_to_hold(item, known) if _restricts(one, known)]
     here = known.supposed(item)
@@ -55,6 +55,29 @@ def just_before(item: SourceStatement, known: Known) -> SetOfEquations:
     own = next(one for one in sets if last[-1] in one)
     beside = [one for one in sets if one[0].sentence == own[0].sentence]
     return own if len(beside) == 1 or not cue("on them", _place_words(item)) else ()
+
+
+def sets_in_force(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The sets that are supposed where a statement stands, with that of a change of variables."""
+    return (*known.sets(item), *_of_change(item, known))
+
+
+def _of_change(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The set on which the last change before a statement gives variables by fewer new names.
+
+    It was spoken of last before the change, in its paragraph.
+    """
+    changed = [law for law in known.laws if law.change and law.change[-1].order < item.order]
+    if not changed or changed[-1].change[0].section is not item.section:
+        return ()
+    first = changed[-1].change[0]
+    beside = (one for one in known.of_sentence(first.sentence) if one not in changed[-1].change)
+    more = any(
+        one.members[1:] and one.members[1].names() & {*changed[-1].new} and known.moves(one.bare[0])
+        for one in beside
+        if one.bare and one.members[0] == Name(one.bare[0])
+    )
+    return just_before(first, known) if more else ()
 
 
 def _named_before(item: SourceStatement, known: Known) -> SetOfEquations:

@@ -170,6 +170,9 @@ class _Ladder(RungMaker):
             if (root := self._root()) and told:
                 chosen = f"{says}, for one value of ${root}$"
                 yield self.rung(Implication, chosen, assumptions, given=(), root=root)
+            if self._is_constant:
+                yield from self._constant_on_sets(assumptions)
+                continue
             for given in given_there:
                 said = "both sides are equal where the cited equations hold"
                 yield self.rung(Implication, said, assumptions, given, given=places(given))
@@ -180,6 +183,12 @@ class _Ladder(RungMaker):
                         Implication, chosen, assumptions, given, (self.item, *beside),
                         given=places(given), root=root, together=places(beside),
                     )  # fmt: skip
+
+    def _constant_on_sets(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+        """A function that does not move where the cited equations hold."""
+        for given in hypotheses(self.item, self.known):
+            said = "this is constant along every motion on the set"
+            yield self.rung(FirstIntegral, said, assumptions, given, given=places(given))
 
     def _at_levels(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
         r"""The claim where a function that is derived has parameters, as :math:`U(r)=\ell^2/2r^2`.
@@ -249,10 +258,11 @@ class _Ladder(RungMaker):
             raise ValueError("it is called an integral, and nothing says how its names move")
         for assumptions in self.ways():
             yield self._integral(assumptions)
-        for given in hypotheses(self.item, self.known):
-            said = "this is constant along every motion on the set"
-            kind = Implication if self._is_rate else FirstIntegral
-            yield self.rung(kind, said, self.supposed, given, given=places(given))
+        if not self._is_rate:
+            yield from self._constant_on_sets(self.supposed)
+        for given in hypotheses(self.item, self.known) if self._is_rate else ():
+            said = "this rate vanishes along every motion on the set"
+            yield self.rung(Implication, said, self.supposed, given, given=places(given))
         fixed = [one for one in self.item.members if not self.known.varying(one.names())]
         if self.item.derives and fixed and not self._is_rate:
             for assumptions in self.suppositions():  # what is derived may be this by the law

@@ -9,6 +9,7 @@ from kowalevski_cas.paper.claims import Claim, RestPoints
 from kowalevski_cas.paper.claims.maps import OF_MAPS
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.hypotheses import sets_in_force
 from kowalevski_cas.reading.jets import refuse_of_functions
 from kowalevski_cas.reading.known import FUNCTION
 from kowalevski_cas.reading.law import Law
@@ -100,7 +101,7 @@ class RungMaker:
                 raise ValueError("an invariant of a map on a set is not known")
             kind, attributes["images"] = OF_MAPS[kind], found.images
         claim = claim_of_kind(kind, self.id, found.scene, says, attributes)
-        in_force = bool(on) and [*on] == self.known.sets(self.item)
+        in_force = bool(on) and (*on,) == sets_in_force(self.item, self.known)
         idle = None
         if (
             not found.images

@@ -189,3 +189,43 @@ def test_a_dot_beside_equations_with_primes_and_another_time_is_not_judged(rate)
     assert not verdicts(rf"{text}${rate}$.")
     found = verdicts(rf"{text}${rate}$, and $(x^2+y^2)'=0$, $(x^2-y^2)'=0$.")
     assert [*found.values()] == [Verdict.PROVED, Verdict.REFUTED]
+
+
+TURNING = (
+    r"Consider \[\dot\gamma_1=r\gamma_2,\qquad \dot\gamma_2=-r\gamma_1,\qquad"
+    r" \dot r=k\gamma_1\gamma_2 .\] "
+)
+OF_VECTORS = (
+    r"Consider \[\dot r=k\gamma_1\gamma_2,\qquad\dot{\boldsymbol\gamma}=\boldsymbol\gamma\times"
+    r"\boldsymbol\omega,\qquad \boldsymbol\omega=(0,0,r).\] "
+)
+IN_SPACE = (
+    r"Consider \[\dot r=k\gamma_1\gamma_2,\quad\dot\gamma_1=\gamma_2r-\gamma_3q,\quad"
+    r"\dot\gamma_2=-r\gamma_1,\quad\dot\gamma_3=q\gamma_1,\quad \dot q=qr.\]"
+    r" The set $q=0$, $\gamma_3=0$ is invariant. "
+)
+
+
+@pytest.mark.parametrize("law", [TURNING, OF_VECTORS, IN_SPACE])
+@pytest.mark.parametrize(
+    ("claim", "wrong"),
+    [
+        (r"$\dot\theta=r$.", r"$\dot\theta=-r$."),
+        (r"\[\ddot\theta=-k\sin\theta\cos\theta.\]", r"\[\ddot\theta=k\sin\theta\cos\theta.\]"),
+        (
+            r"\[\dot\theta^2+k\sin^2\theta=\mathrm{const}.\]",
+            r"\[\dot\theta^2-k\sin^2\theta=\mathrm{const}.\]",
+        ),
+    ],
+)
+def test_one_angle_may_give_several_variables_on_a_set(law, claim, wrong):
+    text = law + r"We put $\gamma_1=\cos\theta$, $\gamma_2=-\sin\theta$. Then "
+    assert [*verdicts(text + claim).values()][-1] is Verdict.CONDITIONAL
+    assert not [*verdicts(text + wrong).values()][-1].green
+
+
+def test_an_integral_on_a_set_asks_whether_the_motion_stays_there():
+    law = TURNING.replace("-r", "-2r")
+    text = law + r"We put $\gamma_1=\cos\theta$, $\gamma_2=-\sin\theta$. Then "
+    found = verdicts(text + r"\[\dot\theta^2+k\sin^2\theta=\mathrm{const}.\]")
+    assert not [*found.values()][-1].green
