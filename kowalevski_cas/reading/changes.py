@@ -14,6 +14,7 @@ from itertools import groupby
 from kowalevski_cas.notation import Name, Number, Product
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.polar import radii
 from kowalevski_cas.reading.statements import SourceStatement
@@ -77,10 +78,11 @@ def _on_a_set(giving: Sequence[SourceStatement], names: Sequence[str]) -> list[S
     r"""As many of the statements as there are new names, where each gives a variable by all these.
 
     So :math:`\gamma_1=\cos\theta` is one, and :math:`\gamma_2=-\sin\theta` beside it says on
-    which set the motion is.
+    which set the motion is. Words have to introduce the names: else they describe a set.
     """
     having = all({*names} <= one.members[1].names() for one in giving)
-    return [*giving[: len(names)]] if having and len(giving) > len(names) else []
+    new = having and len(giving) > len(names) and cue("define", giving[0].before)
+    return [*giving[: len(names)]] if new else []
 
 
 def gives_factor(item: SourceStatement, law: Law, rated: Collection[str]) -> bool:
