@@ -350,15 +350,20 @@ So many partial derivatives are enough.
 """
 
 
+_STOP = re.compile(r"[.;!?]\s|[.;!?]\s*\\end\s*\{\w+\*?\}|\n\n")
+_FOOTNOTE = re.compile(r"\\footnote\s*\{(?:[^{}]|\{[^{}]*\})*\}")
+
+
 def _is_special(name: str, place: int, formulas: Sequence[TypedFormula], text: str) -> bool:
     """Whether a function that was any in displays before is given as an example of one."""
     formula = formulas[place]
-    sentence = re.split(r"[.;!?]\s|[.;!?]\s*\\end\s*\{\w+\*?\}|\n\n", text[: formula.start])[-1]
+    sentence = _STOP.split(text[: formula.start])[-1]
     before = [
         _apart(one.tex)
         for one in formulas[:place]
         if not one.inline and one.end <= formula.start - len(sentence)
     ]
+    sentence = _STOP.split(_FOOTNOTE.sub(" ", text[: formula.start]))[-1]
     applied = sum(any(name == other for other, *_ in _applications(tex)) for tex in before)
     derived = sum(one["name"] == name for tex in before for one in _PARTIAL.finditer(tex))
     having = [tex for tex in before if re.search(rf"{re.escape(name)}(?![A-Za-z])", tex)]

@@ -411,13 +411,13 @@ class _Around:
 
     def __init__(self, prose: Prose, formula: TypedFormula) -> None:
         start, end = self.sentence = prose.sentence(formula.start)
-        self.before = prose.between(start, formula.start)
+        self.before = prose.before(formula.start)
         self.after = prose.between(formula.end, end)
         self.lead = self.before.rpartition(MARK)[2]
         self.tail = self.after.partition(MARK)[0]
         self.refs = references(prose.text[start:end])
         self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
-        self.earlier = prose.earlier(start, 3)
+        self.earlier = prose.earlier(formula.start, 3)
 
 
 def _label(formula: TypedFormula) -> str:

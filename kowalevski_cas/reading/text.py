@@ -92,15 +92,23 @@ class Prose:
     @cached_property
     def stops(self) -> list[int]:
         """The offsets at which sentences begin."""
-        ends = {self.start}
-        for match in _STOP.finditer(self.text, self.start):
-            before = self.text[max(self.start, match.start() - 12) : match.start()]
-            if match["end"] == "." and _ABBREVIATED.search(before):
-                continue
-            ends.add(match.start() if match["break"] else match.end())
-        for heading in _HEADING.finditer(self.text, self.start):
-            ends |= {heading.start(), heading.end()}
-        return sorted(ends)
+        return _stops(self.text, self.start)
+
+    @cached_property
+    def _main(self) -> tuple[str, list[int]]:
+        """The text with its footnotes blanked out, and the offsets at which sentences begin there.
+
+        One that stands within a sentence does not end it.
+        """
+        text = self.text
+        for start, end in self.footnotes:
+            if text.startswith(r"\footnote", start):
+                text = f"{text[:start]}{' ' * (end - start)}{text[end:]}"
+        return text, _stops(text, self.start)
+
+    def _around(self, offset: int) -> tuple[str, list[int]]:
+        """The text to which an offset belongs, a footnote or what stands outside of these."""
+        return self._main if self.footnote(offset) is None else (self.text, self.stops)
 
     def sentence(self, offset: int) -> tuple[int, int]:
         """The interval of the sentence around an offset."""
@@ -111,12 +119,19 @@ class Prose:
     def earlier(self, offset: int, most: int) -> tuple[str, ...]:
         """The words of some sentences that end at an offset or before, the last one first."""
         found: list[str] = []
-        place = bisect_right(self.stops, offset) - 1
+        text, stops = self._around(offset)
+        place = bisect_right(stops, offset) - 1
         while place > 0 and len(found) < most:
-            words = self.between(self.stops[place - 1], self.stops[place])
+            words = " ".join(text[stops[place - 1] : stops[place]].split())
             found += [words] if _WORD.search(words) else []
             place -= 1
         return tuple(found)
+
+    def before(self, offset: int) -> str:
+        """The words of a sentence before an offset, without footnotes that interrupt it."""
+        text, stops = self._around(offset)
+        start = stops[max(0, bisect_right(stops, offset) - 1)]
+        return " ".join(text[start:offset].split())
 
     def between(self, start: int, end: int) -> str:
         """The words in an interval, with single spaces."""
@@ -213,6 +228,19 @@ class Prose:
     def entry(self, offset: int) -> tuple[int, int] | None:
         """The interval of the innermost item of a list around an offset."""
         return next((one for one in self.entries if one[0] <= offset < one[1]), None)
+
+
+def _stops(text: str, start: int) -> list[int]:
+    """The offsets at which sentences of a text begin, from an offset on."""
+    ends = {start}
+    for match in _STOP.finditer(text, start):
+        before = text[max(start, match.start() - 12) : match.start()]
+        if match["end"] == "." and _ABBREVIATED.search(before):
+            continue
+        ends.add(match.start() if match["break"] else match.end())
+    for heading in _HEADING.finditer(text, start):
+        ends |= {heading.start(), heading.end()}
+    return sorted(ends)
 
 
 def references(words: str) -> tuple[str, ...]:
