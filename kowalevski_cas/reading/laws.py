@@ -263,12 +263,16 @@ class _LawFinder(PrintedRates):
 
         Where its sentence cites something, it may be given by what stands for that.
         """
-        moved = self._standing_for(moving) if row.refs else moving
+        moved = self._standing_for(moving, row.sentence[1]) if row.refs else moving
         return any(self.relates(one, row, moved) for one in self.paper.items)
 
-    def _standing_for(self, moving: Collection[str]) -> set[str]:
-        """What moves, with the names, or their squares, that are given by it."""
-        giving = [one for one in self.paper.items if one.members and one not in self.rows]
+    def _standing_for(self, moving: Collection[str], end: int | None = None) -> set[str]:
+        """What moves, with the names, or their squares, that are given by it, up to an offset."""
+        giving = [
+            one
+            for one in self.paper.items
+            if one.members and one not in self.rows and (end is None or one.typed.start < end)
+        ]
         found = {*moving}
         while new := {
             name

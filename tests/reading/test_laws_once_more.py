@@ -117,3 +117,18 @@ def test_equations_of_motion_that_take_a_form_with_new_letters_are_another_law()
         assert not verdicts(FIELDS.replace("{}", wrong)).popitem()[1].green
     claimed = FIELDS.replace("The equations of motion take", "Substituting we see that they take")
     assert len(reading(claimed).parts.laws) == 1
+
+
+AMPLITUDES = r"""The field and the matter obey
+\[\dot E=P,\qquad \dot P=EN,\qquad \dot N=-EP ,\] with the constant $K=\tfrac12E^2+N$.
+For the second mode we write $u,v,w$ instead of $E,P,N$. The system \eqref{one} is then
+\begin{equation}\label{two}\dot u=v,\qquad \dot v=uw,\qquad \dot w=-uv .\end{equation}
+"""
+
+
+@pytest.mark.parametrize("behind", ["", r" With $K=k$ there is the motion $u=2k$, $w=k$."])
+def test_what_is_given_later_moves_nothing_in_a_law_before(behind):
+    claim = r"It has the integral $\tfrac12u^2+w$."
+    assert [*verdicts(AMPLITUDES + claim + behind).values()][0].green
+    wrong = r"It has the integral $\tfrac12u^2-w$."
+    assert not [*verdicts(AMPLITUDES + wrong + behind).values()][0].green
