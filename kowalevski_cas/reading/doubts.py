@@ -20,7 +20,16 @@ from kowalevski_cas.reading.cues import cue, cues
 from kowalevski_cas.reading.hypotheses import EQUATIONS
 from kowalevski_cas.reading.inertia import INERTIA
 from kowalevski_cas.reading.kept import kept_before
-from kowalevski_cas.reading.known import ASSUMPTION, BEGINNING, CLAIM, DEFINITION, LAW, SETS, Known
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    BEGINNING,
+    CLAIM,
+    DEFINITION,
+    LAW,
+    NAMED_LEVEL,
+    SETS,
+    Known,
+)
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.linear_parts import MATRIX
@@ -374,7 +383,7 @@ def _is_conditioned(item: SourceStatement, rung: Rung, known: Known) -> bool:
         if one is item or one in rung.on or one.order > item.order:
             continue
         role = known.roles.get(one)
-        there = role is not None and role.kind == "set of the sentence"
+        there = role is not None and role.kind in ("set of the sentence", NAMED_LEVEL)
         if there and one.paragraph == item.paragraph and _is_next(one, item, known):
             return True
         set_there = role is not None and (role.kind in SETS or role.name == ASSUMPTION)

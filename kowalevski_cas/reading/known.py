@@ -62,6 +62,12 @@ UNKNOWNS = "equations for unknowns"
 FUNCTION = "function"
 """How the kind of an assumption begins that a function is a special one: to the end of its case."""
 
+NAMED_LEVEL = "set with the name of its value"
+"""The kind of an assumption that gives the value of an integral a name of its own.
+
+It is supposed in its sentence, and where this name stands behind it.
+"""
+
 TOGETHER = "together"
 """The kind of a definition that gives names with others: it is supposed where these are used."""
 
@@ -421,7 +427,16 @@ class Known:
                 and (len(one.names) != 1 or last[one.names] is one)
             )
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
+            or (self.roles[one].kind == NAMED_LEVEL and self._has_value(one, item))
         ]
+
+    def _has_value(self, level: SourceStatement, item: SourceStatement) -> bool:
+        """Whether the value that a level gives to an integral is spoken of in a statement."""
+        if level.sentence == item.sentence:
+            return True
+        (value,) = level.names - {*self.roles[level].names}
+        named = any(value in self.below(name) for name in item.names)
+        return named and self.is_within(level, item)
 
     def reaches(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether what is said at a statement is in force at another one."""

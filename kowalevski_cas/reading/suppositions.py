@@ -18,7 +18,7 @@ from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
 from kowalevski_cas.reading.hypotheses import set_right_before
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, OTHER, Known, StatementRole
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NAMED_LEVEL, OTHER, Known, StatementRole
 from kowalevski_cas.reading.phrases import (
     IMPLIES,
     PUT,
@@ -508,13 +508,20 @@ def of_levels(item: SourceStatement, known: Known) -> StatementRole | None:
     ):
         return None
     said = supposing(item)
-    if not said or first.name in other.names() or cue("claim", f"{item.lead} "):
+    behind = f"{item.lead.rpartition(said)[2]} "
+    if not said or first.name in other.names() or cue("claim", behind):
         return None
     why = f"“{said}” supposes it of the value of an integral"
-    lasting = cue("lasting", f"{joined_lead(item)} ")
-    return StatementRole(
-        ASSUMPTION, why, "set in force" if lasting else "set of the sentence", (first.name,)
-    )
+    kind = "set in force" if cue("lasting", f"{joined_lead(item)} ") else "set of the sentence"
+    if kind != "set in force" and isinstance(other, Name) and _is_new(other.name, known):
+        kind = NAMED_LEVEL
+    return StatementRole(ASSUMPTION, why, kind, (first.name,))
+
+
+def _is_new(name: str, known: Known) -> bool:
+    """Whether nothing has used a name yet, no law has it, and nothing gives it later."""
+    mentioned = any(name in law.mentions for law in known.laws)
+    return not (mentioned or name in known.seen or known.is_known(name) or name in known.later)
 
 
 _ON_PLACE = re.compile(

@@ -82,3 +82,29 @@ def test_a_value_in_what_gives_something_else_behind_it_is_named():
     Then $\dot r=0$, that is $r=r_0$, and the first two equations take the form
     \[ \dot p=-nq,\qquad \dot q=np,\qquad n=\frac{(C-A)r_0+k}{A} . \]"""
     assert all(verdicts(text)[row].green for row in (r"\dot p=-nq", r"\dot q=np"))
+
+
+FIELD = r"""The equations \[\dot u=v,\qquad \dot v=uw,\qquad \dot w=-uv\] have the integrals
+$F=\tfrac12(v^2+w^2)$ and $G=\tfrac12u^2+w$. """
+SPEED = r"\[\dot u^2=2f-\bigl(g-\tfrac12u^2\bigr)^2 .\]"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"On the level $G=g$ we have $\ddot u=gu-\frac12u^3$. If $F=f$ then",
+        r"With $G=g$ one has $\ddot u=gu-\frac12u^3$. If moreover $F=f$ then",
+        r"On the level $G=g$ we get \[\ddot u=gu-\frac12u^3,\] that is an oscillator, and if $F=f$ then",
+        r"On the level $F=f$, $G=g$ the motion is simple. The velocity follows from",
+    ],
+)
+def test_the_name_that_a_level_gives_to_a_value_is_known_behind_its_sentence(words):
+    assert all(one.green for one in verdicts(FIELD + words + SPEED).values())
+    wrong = SPEED.replace(r"\bigr)^2", r"\bigr)")
+    assert not [*verdicts(FIELD + words + wrong).values()][-1].green
+
+
+def test_a_letter_that_was_used_before_is_no_name_of_a_value():
+    text = FIELD.replace("=uw", "=guw") + r"On the level $G=g$ the motion is simple. We have "
+    claim = r"$\ddot u=g^2uw$."
+    assert not [*verdicts(text + claim).values()][-1].green
