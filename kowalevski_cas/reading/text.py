@@ -39,6 +39,16 @@ _HEADING = re.compile(
 )
 _LEVELS = "part chapter section subsection subsubsection paragraph subparagraph".split()
 _RUN_IN = len(_LEVELS)
+_BEGINS = re.compile(
+    r"(?:\s|\\end\s*\{[^{}]*\}|\\\]|\$\$|\\label\s*\{[^{}]*\}|\\noindent(?![A-Za-z]))*"
+    r"(?:The|This|That|These|Those|We|It|Its|They|Their|One|If|When|Whenever|For|Let|In|On|At|By|From|To|With|Under"
+    r"|Here|There|Hence|Thus|Then|Therefore|Now|So|Since|Because|As|After|Before|An?|All|Both|Each|Every|Our|Such"
+    r"|Suppose|Assume|Consider|Note|Using|Setting|Putting|Substituting|Differentiating|Moreover|Furthermore|Finally"
+    r"|Consequently|Clearly|Obviously|Similarly|However|Indeed|Also|Besides|Equations?|Figure"
+    r"|Мы|Это|Эти|Эта|Этот|Если|Когда|Пусть|При|Для|На|По|Здесь|Тогда|Отсюда|Следовательно|Поэтому|Так|Теперь|Итак"
+    r"|Уравнени[яе]|Система|Положим|Рассмотрим|Заметим|Очевидно|Кроме|Они?|Она|Оно|Из|Подставляя|Функция)\b"
+)
+"""Words behind a display that begin a sentence: a stop before them may be left out."""
 _ENVIRONMENT = re.compile(r"\\(?P<what>begin|end)\s*\{(?P<name>[^{}]+)\}")
 _NEWTHEOREM = re.compile(r"\\newtheorem\*?\s*\{([^{}]+)\}")
 _THEOREMS = frozenset(
@@ -84,7 +94,10 @@ class Prose:
         self.start, self.formulas = start, formulas
         pieces, at = [], 0
         for formula in formulas:
-            pieces += [text[at : formula.start], _blank(text[formula.start : formula.end])]
+            blank = _blank(text[formula.start : formula.end])
+            if not formula.inline and _BEGINS.match(text, formula.end):
+                blank = f"{blank[:-1]}."
+            pieces += [text[at : formula.start], blank]
             at = formula.end
         pieces.append(text[at:])
         self.text = _DELIMITER.sub(lambda found: " " * len(found[0]), "".join(pieces))

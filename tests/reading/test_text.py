@@ -34,3 +34,21 @@ def test_what_a_sentence_supposes_before_a_footnote_holds_behind_it():
     assert [one.green for one in verdicts(law + words + claim).values()] == [True]
     wrong = r"Let $a=1$.\footnote{With $a=0$ there is one.} Then "
     assert [one.green for one in verdicts(law + wrong + claim).values()] == [False]
+
+
+BARE = r"The equations are \[\dot x=y,\qquad \dot y=-x\] "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The linear part at the origin has the eigenvalues $\pm i$.",
+        r"We look at the linearisation. The eigenvalues at $(0,0)$ are $\pm i$.",
+        r"If terms of the third order are neglected, this does not change.",
+    ],
+)
+def test_a_word_with_a_capital_behind_a_display_begins_a_sentence(words):
+    claim = r" We see that $x^2+y^2$ is constant."
+    found = verdicts(BARE + words + claim)
+    assert found["x^2+y^2"].green
+    assert not verdicts(BARE + words + claim.replace("x^2+", "x^2+2"))["x^2+2y^2"].green
