@@ -240,7 +240,8 @@ class _LawFinder(PrintedRates):
         if law is not None:
             law.base = part[-1]
             mentioned = {*self.names.scalars(n for one in law.items for n in one.names)}
-            law.is_apart = mentioned.isdisjoint(self._standing_for(moving))
+            end = max(one.sentence[1] for one in law.items)
+            law.is_apart = mentioned.isdisjoint(self._standing_for(moving, end))
             if rated & {*self.names.scalars(law.mentions)} - moving - {*law.variables}:
                 return None  # it rests on what follows
         return law
@@ -266,12 +267,12 @@ class _LawFinder(PrintedRates):
         moved = self._standing_for(moving, row.sentence[1]) if row.refs else moving
         return any(self.relates(one, row, moved) for one in self.paper.items)
 
-    def _standing_for(self, moving: Collection[str], end: int | None = None) -> set[str]:
+    def _standing_for(self, moving: Collection[str], end: int) -> set[str]:
         """What moves, with the names, or their squares, that are given by it, up to an offset."""
         giving = [
             one
             for one in self.paper.items
-            if one.members and one not in self.rows and (end is None or one.typed.start < end)
+            if one.members and one not in self.rows and one.typed.start < end
         ]
         found = {*moving}
         while new := {
