@@ -6,9 +6,10 @@ That each listed point is at rest is claimed of the point (``rest_points.py``).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Set
 
-from kowalevski_cas.notation import Derivative, to_latex
+from kowalevski_cas.notation import Derivative, Name, to_latex
 from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.transcendental import PI
@@ -20,7 +21,14 @@ from kowalevski_cas.reading.numerals import CARDINALS
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
-from kowalevski_cas.reading.rest_points import POINT, law_of_points
+from kowalevski_cas.reading.rest_points import (
+    FAMILY,
+    FAMILY_BEHIND,
+    POINT,
+    is_membership,
+    is_of_family,
+    law_of_points,
+)
 from kowalevski_cas.reading.rung import places
 from kowalevski_cas.reading.sets import SetOfEquations, sets_of
 from kowalevski_cas.reading.statements import SourceStatement
@@ -37,13 +45,18 @@ _ONE = r"(?:equilibrium(?:\s+(?:point|position|state))?|(?:state|point)\s+of\s+r
 _RUSSIAN = (
     r"(?:положения\s+равновесия|состояния\s+(?:покоя|равновесия)|(?:особые|неподвижные)\s+точки)"
 )
-_OF = r"(?:\s+of\s+(?:the|this|our|these)\s+\w+|\s+of\s+§|\s+(?:этой\s+)?системы)?"
+_OF = (
+    r"(?:\s+of\s+(?:the|this|our|these)\s+\w+|\s+of\s+§|\s+(?:этой\s+)?системы)?"
+    r"(?:(?:\s+of)?[\s~]*\(?\\(?:eq)?ref\s*\{[^{}]*\}\)?)?"
+)
 _GIVEN = (
-    r"(?:[\s:,~]|\b(?:is|are|at|by|given|the|points?|states?|namely|following|located|read|суть|есть"
+    r"(?:[\s:,~]|\b(?:is|are|at|by|given|the|an?|points?|states?|namely|following|located|read|суть|есть|of"
+    rf"|{'|'.join(CARDINALS[:4])}|{FAMILY}"
     r"|это|даются|определяются|точк\w+)\b|-{2,3}|—)*$"
 )
 _ALL = re.compile(
-    rf"\b(?:the|its|all(?:\s+the)?)\s+(?:(?:only|{'|'.join(CARDINALS)})\s+)*{_PLURAL}{_OF}\s+are\b{_GIVEN}"
+    rf"\b(?:the|its|all(?:\s+the)?)\s+(?:(?:only|{'|'.join(CARDINALS)})\s+)*{_PLURAL}{_OF}"
+    rf"\s+(?:are|form|fill|make\s+up|consist\s+of|fall\s+into)\b{_GIVEN}"
     rf"|\b(?:the\s+(?:only|unique|single)|an?\s+(?:unique|single))\s+{_ONE}{_OF}{_GIVEN}"
     r"|\b(?:there\s+are|has|have|possess(?:es)?)\s+(?:(?:exactly|only|just|precisely)\s+)?"
     rf"(?:{'|'.join(CARDINALS)})\s+{_PLURAL}{_OF}{_GIVEN}"
@@ -64,7 +77,7 @@ def claims_of_all_rest(parts: Parts) -> Iterator[InWords]:
     for start, words in sentences_of(parts):
         first = words.find("§")
         found = _ALL.search(words[:first]) if first >= 0 else None
-        if found is None or is_unsure(words) or _SOME.search(words):
+        if found is None or is_unsure(words) or _SOME.search(FAMILY_BEHIND.sub("", words)):
             continue
         span = (start + found.start(), start + found.end())
         listed = [
@@ -83,17 +96,24 @@ def _of_list(
     law = law_of_points(listed[-1], known)
     if law is None or not {*law.variables} <= {name for row in law.rows for name in row.rates}:
         return None  # it is not known what is at rest if nothing moves
-    if known.untied({name for one in listed for name in one.names - {PI}}):
-        return None  # a letter may tell the points of a family apart
+    letters = {n for one in listed if known.roles[one].kind == POINT for n in one.names}
+    listed = [one for one in listed if not (is_membership(one) or _is_one_of(letters, one))]
     points = [*_points(listed, known)]
     if not points or (number and CARDINALS.index(number.lower()) + 1 != len(points)):
         return None
     still = velocities_at_rest(points[0], law, known)
     given = [*nothing_moves(law, listed[-1], known), *known.bound, *still]
     points = [_at(point, law, known) for point in points]
+    if known.untied({name for point in points for one in point for name in one.names - {PI}}):
+        return None  # a letter may tell the points of a family apart
     values: dict[str, object] = {"sets": (*map(places, points),), "given": places(given)}
     about = (*law.rows, *(one for point in points for one in point), *given)
     return InWords(span, Union, about, values, "rest", SAYS, listed[-1], law, Doubt.ALWAYS)
+
+
+def _is_one_of(letters: Set[str], item: SourceStatement) -> bool:
+    """Whether a statement is one of some letters alone, of which words say something."""
+    return isinstance(item.formula, Name) and item.formula.name in letters
 
 
 def nothing_moves(law: Law, item: SourceStatement, known: Known) -> list[SourceStatement]:
@@ -111,10 +131,18 @@ def nothing_moves(law: Law, item: SourceStatement, known: Known) -> list[SourceS
 
 
 def _at(point: SetOfEquations, law: Law, known: Known) -> SetOfEquations:
-    """The equations of a point or a set, with those of sines and cosines for those of angles."""
-    if known.roles[point[0]].kind == POINT:
-        return equations_of_point(point[0], law, known)
-    return up_to_turns(point, law, known)
+    """The equations of a point or a set, with those of sines and cosines for those of angles.
+
+    Where a point is any of a family, a coordinate that is a letter of its own may have any value.
+    """
+    if known.roles[point[0]].kind != POINT:
+        return up_to_turns(point, law, known)
+    found = equations_of_point(point[0], law, known)
+    if not is_of_family(point[0]):
+        return found
+    values = Counter(name for one in found for name in one.members[-1].names())
+    letters = {Name(name) for name in known.untied(values) if values[name] == 1}
+    return tuple(one for one in found if one.members[-1] not in letters)
 
 
 def _points(listed: list[SourceStatement], known: Known) -> Iterator[SetOfEquations]:

@@ -27,6 +27,7 @@ from kowalevski_cas.reading.known import CLAIM, SETS, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.numerals import CARDINALS
 from kowalevski_cas.reading.parts import Parts
+from kowalevski_cas.reading.rest_points import FAMILY
 from kowalevski_cas.reading.statements import SourceStatement
 
 _REFERENCE = r"\(?\\(?:eq)?ref\s*\{[^{}]*\}\)?"
@@ -82,7 +83,7 @@ _PART_OF = re.compile(r"(?:\b(?:of|with|between|and|or)|[§,])\s*$", re.IGNORECA
 """How words end behind which a list is not all that is spoken of."""
 _GOES_ON = re.compile(r"\s*(?:,|and\b|и\b|as\s+well\b)", re.IGNORECASE)
 _COUNT = re.compile(
-    rf"\b(?:exactly|only|has|have|are)\s+(?P<number>{'|'.join(CARDINALS)})\s+(?:\w+\s+){{0,2}}?"
+    rf"\b(?:exactly|only|has|have|are)\s+(?P<number>{'|'.join(CARDINALS)})\s+(?:(?!{FAMILY})\w+\s+){{0,2}}?"
     r"(?:equilibri|states?\s+of\s+rest|fixed\s+points|(?:singular|stationary)\s+points)",
     re.IGNORECASE,
 )

@@ -72,9 +72,12 @@ _AND = re.compile(
 _IS = r"(?:are|is|equals?|суть|равны|рав[её]н|равно|[-—–]+)\s*:?"
 _MATRIX = (
     r"(?:Jacobian(?:\s+matrix)?|Jacobi\s+matrix|linear\s+part|lineari[sz]ation"
-    r"|lineari[sz]ed\s+(?:system|equations?|field)|matrix\s+of\s+the\s+linear\s+part"
+    r"|lineari[sz]ed\s+(?:system|equations?|field)"
+    r"|matrix\s+of\s+the\s+(?:linear\s+(?:part|system)|lineari[sz]ation|lineari[sz]ed\s+(?:system|equations?))"
     r"|матриц\w+\s+(?:Якоби|линейной\s+части)|линейн\w+\s+част\w+)"
 )
+LINEAR_PART = re.compile(rf"\b{_MATRIX}", re.IGNORECASE)
+"""Words for the linear part of a law."""
 _FIELD = r"(?:\s+of\s+(?:the|this|our)\s+(?:vector\s+)?(?:system|field|flow|equations?))?"
 _POINT = r"(?:saddle|node|focus|cent(?:er|re)|spiral|sink|source|equilibrium)(?:\s+point)?"
 _SAID = [

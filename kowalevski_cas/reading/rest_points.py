@@ -31,10 +31,16 @@ _RUSSIAN = (
     r"(?:положени\w+\s+равновесия|состояни\w+\s+(?:покоя|равновесия)|равновеси\w+"
     r"|(?:особ|неподвижн|стационарн)\w+\s+точк\w*|точк\w+\s+(?:покоя|равновесия))"
 )
-_OF = r"(?:\s+of\s+(?:the|this|our)\s+\w+|\s+(?:этой\s+)?системы)?"
+_OF = (
+    r"(?:\s+of\s+(?:the|this|our)\s+\w+|\s+(?:этой\s+)?системы)?"
+    r"(?:(?:\s+of)?[\s~]*\(?\\(?:eq)?ref\s*\{[^{}]*\}\)?)?"
+)
+FAMILY = r"(?:lines?|curves?|circles?|famil(?:y|ies)|прям\w+|крив\w+|окружност\w+|семейств\w+)"
+"""Words for many points of rest together."""
 _IS = (
     r"(?:[\s,~—-]*(?:is|are|at|in|by|given|has|have|with|the|coordinates?|points?|namely|lies?|located"
-    r"|occurs?|exists?|reads?|there|суть|это|есть|является|являются|имеет|координаты|точк\w+))*[\s:,~—-]*"
+    r"|occurs?|exists?|reads?|there|form|fill|make\s+up|consist\s+of|fall\s+into|an?|one|two|three|four|following|of"
+    rf"|{FAMILY}|суть|это|есть|является|являются|имеет|координаты|точк\w+|образуют|составляют|дв[ае]|три|следующ\w+))*[\s:,~—-]*"
 )
 _BEFORE = re.compile(rf"\b(?:{_REST}|{_RUSSIAN}){_OF}(?:[\s~]*§)?{_IS}$", re.IGNORECASE)
 """How words end behind which points of rest are printed."""
@@ -70,16 +76,20 @@ _LIST_BEHIND = re.compile(rf"(?:{_AND}§)*")
 _ARBITRARY = r"(?:arbitrary|any|every|each|all|произвольн\w+|люб\w+|всех|кажд\w+)"
 _FAMILY_BEFORE = re.compile(
     rf"\b{_ARBITRARY}\s+(?:point|state|точк\w+|состояни\w+)[\s~]*$|\b(?:points|states|точки|состояния)[\s~]*$"
-    rf"|\b(?:lines?|curves?|circles?|famil(?:y|ies)|прям\w+|крив\w+|окружност\w+|семейств\w+)"
-    rf"\s+(?:of\s+)?(?:{_REST}|{_RUSSIAN})[\s~]*$",
+    rf"|\b{FAMILY}\s+(?:of\s+)?(?:{_REST}|{_RUSSIAN})[\s:,~]*$|\b{FAMILY}(?:\s+of\s+points)?[\s:,~]*$"
+    rf"|\b{_ARBITRARY}\s+(?:\w+\s+)?§[\s,~]*(?:(?:the|точка)\s+)?(?:point|state)?[\s~]*$",
     re.IGNORECASE,
 )
-_FAMILY_BEHIND = re.compile(
-    rf"[\s,~]*(?:with|for|where|при|где)\s+(?:{_ARBITRARY}\s+(?:\w+\s+)?§"
-    rf"|§[\s~]*(?:is|are|being|[-—–]+)[\s~]*(?:an?\s+)?(?:{_ARBITRARY}|(?:free\s+)?parameter|параметр))",
+FAMILY_BEHIND = re.compile(
+    rf"[\s,~]*(?:with|for|where|при|где)\s+(?:an?\s+)?(?:{_ARBITRARY}\s+(?:\w+\s+)?§"
+    rf"|§(?:[\s,~]*(?:(?:and|и)\s+)?§)*[\s~]*(?:is|are|being|[-—–]+)[\s~]*(?:an?\s+)?(?:{_ARBITRARY}|(?:free\s+)?parameter|параметр))",
     re.IGNORECASE,
 )
 """How words end before a point with a free letter, or begin behind it, that speak of them all."""
+
+
+_ANY_NUMBER = re.compile(r"\\in\s*\\(?:mathbb|mathbf|Bbb)\s*\{?\s*R")
+"""What says of a letter that it is any real number."""
 
 
 def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -97,7 +107,8 @@ def rest_point(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 _OTHER_ONE = re.compile(
-    r"\b(?:first|former|original|initial|both|each|two)\b|\b(?:перв|исходн|об[ае]|кажд)\w*",
+    r"\b(?:first|former|original|initial|both|each)\b|\b(?:перв|исходн|об[ае]|кажд)\w*"
+    r"|\btwo\s+(?:\w+\s+)?(?:systems|equations|laws|cases|problems|flows|models)\b",
     re.IGNORECASE,
 )
 """Words for another system than the last one."""
@@ -126,7 +137,7 @@ def says_rest(item: SourceStatement) -> bool:
         return not _NO.search(before, 0, said.start())
     if says_more_rest(item):
         return True
-    list_behind = _FAMILY_BEHIND.match(item.after) or _LIST_BEHIND.match(item.after)
+    list_behind = FAMILY_BEHIND.match(item.after) or _LIST_BEHIND.match(item.after)
     return bool(_BEHIND.match(item.after, list_behind.end() if list_behind else 0))
 
 
@@ -138,7 +149,18 @@ def says_more_rest(item: SourceStatement) -> bool:
 
 def is_of_family(item: SourceStatement) -> bool:
     """Whether words say of all points that something is so, which a letter tells apart."""
-    return bool(_FAMILY_BEFORE.search(item.before) or _FAMILY_BEHIND.match(item.after))
+    behind = _LIST_BEHIND.match(item.after)
+    return bool(
+        _FAMILY_BEFORE.search(_LIST_BEFORE.sub("", item.before))
+        or FAMILY_BEHIND.match(item.after)
+        or FAMILY_BEHIND.match(item.after, behind.end() if behind else 0)
+        or _ANY_NUMBER.search(item.typed.tex)
+    )
+
+
+def is_membership(item: SourceStatement) -> bool:
+    """Whether a statement says of a letter that it is any real number."""
+    return _ANY_NUMBER.search(item.printed.tex) is not None
 
 
 def coordinates(
@@ -161,10 +183,16 @@ def coordinates(
 
 
 def _tying(names: Set[str], known: Known) -> Iterator[SourceStatement]:
-    """The equations that say of letters which values they have: they give no other one, or rate."""
+    """The equations that say of letters which values they have: they give no other one, or rate.
+
+    So does what a characteristic equation says of an eigenvalue.
+    """
     for one in known.items:
         first = one.members[0] if names & one.names and one.members and not one.derives else None
-        if first is not None and (not isinstance(first, Name) or first.name in names):
+        if first is None or (isinstance(first, Name) and first.name not in names):
+            continue
+        others = known.untied(one.names - names)
+        if all(known.is_defined(name) or known.moves(name) for name in others):
             yield one
 
 

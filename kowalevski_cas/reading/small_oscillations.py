@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Power, Vector
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
@@ -20,6 +20,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import (
     DETERMINANT,
     KIND,
+    LINEAR_PART,
     MATRIX,
     TRACE,
     before_list,
@@ -29,6 +30,7 @@ from kowalevski_cas.reading.linear_parts import (
     last_named,
     point_at,
 )
+from kowalevski_cas.reading.rest_points import law_of_points
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.tried import exponential, variable_of
 
@@ -77,7 +79,7 @@ _OF_EQUATION = re.compile(
 """How words end behind which frequencies are printed, perhaps of the equation before them."""
 _EQUATION = re.compile(
     r"\b(?:characteristic|secular|frequency)\s+(?:equation|polynomial)s?\b(?P<rest>[^.;]*)$"
-    r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w+(?P<other>[^.;]*)$"
+    r"|\b(?:характеристическ\w+|веков\w+|частотн\w+)\s+(?:уравнени|многочлен|полином)\w*(?P<other>[^.;]*)$"
     r"|\beigenvalues?\b(?P<values>[^.;]*)\b(?:satisfy|obey|solve|are\s+(?:the\s+)?(?:roots|solutions)\s+of)\b[^.;]*$"
     r"|\bсобственн\w+\s+(?:числ|значени)\w+(?P<numbers>[^.;]*)\b(?:удовлетворяют|(?:—|являются|суть)\s+корн\w+)[^.;]*$",
     re.IGNORECASE,
@@ -271,9 +273,11 @@ def characteristic(item: SourceStatement, known: Known) -> tuple[str, str, str] 
     is_root = Name(variable) in (item.formula, *item.members)
     if Power(Name(variable), Number(2)) in item.members and Number(0) not in item.members:
         is_root = said is None or not any(map(_READS.fullmatch, filter(None, said.groups())))
-    if not variable or len(item.members) not in (0, 2) or is_root:
+    listed = isinstance(item.formula, Vector)
+    if not variable or len(item.members) not in (0, 2) or is_root or listed:
         return None
-    if said and not _OF_MATRIX.search("".join(filter(None, said.groups()))):
+    about = "".join(filter(None, said.groups())) if said else ""
+    if said and not _OF_MATRIX.search(LINEAR_PART.sub("", about)):
         return CHARACTERISTIC, variable, "the characteristic equation"
     if item.members and exponential(variable, item, known):
         return CHARACTERISTIC, variable, "the equation of the exponents"
@@ -317,9 +321,9 @@ def may_be_of_frequencies(item: SourceStatement, known: Known) -> bool:
 
 
 def law_at_rest(item: SourceStatement, known: Known) -> Law | None:
-    """The only law of motion before a statement, if there is one."""
-    laws = [law for law in known.laws if law.order < item.order and not law.images]
-    return laws[0] if len(laws) == 1 and not laws[0].change else None
+    """The law of motion before a statement of which it speaks, if there is one."""
+    law = law_of_points(item, known)
+    return law if law is not None and not law.change else None
 
 
 def places_of(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
@@ -379,8 +383,14 @@ def _clause(item: SourceStatement, known: Known) -> tuple[int, int]:
         if other < here and known.roles[one].kind in (CHARACTERISTIC, FREQUENCY, KIND):
             start = start if _JOINED.fullmatch(text, other + 1, here) else other + 1
     if _WHERE_BEHIND.match(text, here + 1):
-        alike = (places[one.typed.start] for one in beside if variable_of(item, known) in one.names)
-        return here, min((other for other in alike if other > here), default=end)
+        name = variable_of(item, known)
+        rows = {one.typed.start: [o for o in beside if o.typed is one.typed] for one in beside}
+        alike = (  # behind a place with which its row begins
+            places[start] + (_place_in(row) != row)
+            for start, row in rows.items()
+            if places[start] > here and any(name in one.names for one in row)
+        )
+        return here, min(alike, default=end)
     return start, here if _WHERE.search(text, start, here) else end
 
 
@@ -396,7 +406,7 @@ def _listed(
         first = text[item.sentence[0] : found.start("where")].count("§")
         own: list[SourceStatement] = []
         for start in typed[first:]:
-            here = [one for one in beside if one.typed.start == start]
+            here = _place_in([one for one in beside if one.typed.start == start])
             if not own and (point := point_at(here, item, law, known)):
                 own = [*point]
                 break
@@ -405,3 +415,12 @@ def _listed(
                 break
             own += here
         yield tuple(own)
+
+
+def _place_in(row: list[SourceStatement]) -> list[SourceStatement]:
+    """The statements of a row of a display, or the only list with which it begins.
+
+    That is the place of what stands in the row before, as in “f at (1,0), g at (2,0)”.
+    """
+    listed = [one for one in row if isinstance(one.formula, Vector)]
+    return listed if listed == row[:1] else row

@@ -19,6 +19,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Relation,
+    Vector,
     times,
     to_latex,
 )
@@ -39,7 +40,10 @@ _EXPONENTIAL = (
 
 
 def variable_of(item: SourceStatement, known: Known) -> str:
-    """The only letter of a statement that no law has, and nothing before: λ; else none."""
+    """The only letter of a statement that no law has, and nothing before: λ; else none.
+
+    Letters of coordinates in its sentence, or before it in its paragraph, are those of a place.
+    """
     if isinstance(item.formula, Relation) and not item.members:
         return ""
     mentioned = {n for law in known.laws for name in law.mentions for n in known.below(name)}
@@ -48,7 +52,17 @@ def variable_of(item: SourceStatement, known: Known) -> str:
         for name in sorted(item.names - mentioned)
         if not (known.is_defined(name) or known.moves(name) or name in known.times)
     ]
+    if len(fresh) > 1:
+        here = {n for one in known.items if _may_place(one, item) for n in one.names}
+        fresh = [name for name in fresh if name not in here]
     return fresh[0] if len(fresh) == 1 else ""
+
+
+def _may_place(one: SourceStatement, item: SourceStatement) -> bool:
+    """Whether a statement may list the coordinates of a place at which another one is said."""
+    listed = one.members[-1] if one.members else one.formula
+    before = one.order < item.order and one.paragraph == item.paragraph
+    return (one.sentence == item.sentence or before) and isinstance(listed, Vector)
 
 
 def exponential(name: str, item: SourceStatement, known: Known) -> re.Match[str] | None:

@@ -79,7 +79,7 @@ STATES: dict[str, str] = {
         \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\b[^.;]*\b(?:alone|only|exactly|precisely|requires?|no\s+(?:others?|more|further)|nothing\s+else|that\s+is\s+all|in\s+number|is\s+not)\b
         \b(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)\s+(?:are\s+the\s+(?:two|three|four|five)|form\s+the)\b
         \b(?:exhausts?|complete\s+list|set)\s+(?:of\s+)?(?:the\s+|all\s+)?(?:equilibri\w+|(?:states?|points?)\s+of\s+rest)
-        \b(?:the|its)\s+(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states)|(?:states|points)\s+of\s+rest)(?:\s+of\s+\w+\s+\w+)?\s+are\b(?=[^.;]*\$)
+        \b(?:the|its)\s+(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states)|(?:states|points)\s+of\s+rest)(?:\s+of\s+[^.;$]{1,40}?)?\s+(?:are|form|fill|make\s+up|consist\s+of|fall\s+into)\b(?=[^.;]*(?:\$|\\\[|\\begin))
         \b(?:equilibria|(?:equilibrium|rest|singular|stationary|fixed)\s+(?:points|positions|states))\s*:(?=[^.;]*\$)
         (?:единственн\w+|все|всякое)\s+(?:\w+\s+){0,2}равновеси\w+""",
     "integral": r"""

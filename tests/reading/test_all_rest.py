@@ -155,3 +155,37 @@ def test_the_audit_says_of_an_angle_what_is_found(place, green):
     found = audited(PENDULUM + rf"An equilibrium is ${place}$, $p=0$.")
     [formula] = [one for one in found.formulas if one.tex.startswith(r"\theta=")]
     assert formula.verdict == (Verdict.PROVED if green else Verdict.UNDECIDED)
+
+
+FLOW = r"The motion is \begin{equation}\label{f}\dot x=y,\qquad\dot y=xz,\qquad\dot z=-xy .\end{equation} "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The equilibria of \eqref{f} form the two families \[(k,0,0),\qquad(0,0,k),\qquad k\in\mathbb R.\]",
+        r"The equilibria are $(k,0,0)$ and $(0,0,k)$ with arbitrary $k$.",
+        r"The equilibria are $A=(k,0,0)$ and $B=(0,0,n)$, where $k$ and $n$ are arbitrary.",
+        r"The equilibria fill the lines $(k,0,0)$, $(0,0,k)$.",
+    ],
+)
+def test_families_of_points_are_listed_with_letters_for_any_number(words):
+    (outcome,), told = of_all(FLOW + words)
+    assert outcome.verdict.green
+    assert not told
+    assert all(one.green for one in verdicts(FLOW + words).values())
+    wrong = FLOW + words.replace("(0,0,k)", "(0,k,k)").replace("(0,0,n)", "(0,n,n)")
+    assert {one.green for one in verdicts(wrong).values()} == {True, False}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The equilibria form the family $(k,0,0)$, $k\in\mathbb R$.",
+        r"Their equilibria are $(0,0,0)$.",
+    ],
+)
+def test_families_that_are_left_out_are_told(words):
+    found, told = of_all(FLOW + words.replace("Their", "The"))
+    assert not any(outcome.verdict.green for outcome in found)
+    assert found or told

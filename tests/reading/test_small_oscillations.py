@@ -197,3 +197,32 @@ VELOCITIES = r"Let \[\dot x=u,\quad \dot y=v,\quad \dot u=x-x^3+yv,\quad \dot v=
 def test_velocities_vanish_at_a_place_of_which_words_give_the_coordinates(rate, green):
     text = rf"Near $x=1$, $y=0$ the linear equation is \[\ddot x={rate} .\]"
     assert [one.green for one in verdicts(VELOCITIES + text).values()] == [green]
+
+
+FAMILIES = r"The equations are \[\dot x=y,\qquad \dot y=xz,\qquad \dot z=-xy .\] "
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The characteristic polynomial of the linear part at $(0,0,k)$ is $-\lambda(\lambda^2-k)$.",
+        r"At the points $(0,0,k)$ the characteristic equation is $\lambda^3-k\lambda=0$.",
+        r"The points $(0,0,k)$ are equilibria for every $k$. Their characteristic polynomial is $\lambda(\lambda^2-k)$.",
+        r"The characteristic polynomial of the matrix of the linear part at $(0,0,k)$ is $-\mu(\mu^2-k)$.",
+        r"Характеристический многочлен линеаризованной системы в точке $(0,0,k)$ равен $-\mu(\mu^2-k)$.",
+        r"The matrix of the linearisation at $(0,0,k)$ is \[\begin{pmatrix}0&1&0\\k&0&0\\0&0&0\end{pmatrix},\]"
+        r" and its characteristic polynomial is $-\lambda(\lambda^2-k)$.",
+        r"The characteristic polynomials of the linear part are"
+        r"\[-\lambda(\lambda^2+k^2)\quad\text{at }(k,0,0),\qquad -\lambda(\lambda^2-k)\quad\text{at }(0,0,k) .\]",
+    ],
+)
+def test_a_characteristic_polynomial_is_printed_without_an_equation(words):
+    assert all(one.green for one in verdicts(FAMILIES + words).values())
+    wrong = words.replace("2-k)", "2-k^2)").replace(r"-k\lambda", r"+k\lambda")
+    assert not [*verdicts(FAMILIES + wrong).values()][-1].green
+
+
+def test_each_polynomial_of_a_display_has_its_own_place():
+    words = r"The characteristic polynomials are \[-\lambda(\lambda^2+k^2)\quad\text{at }(0,0,k),\qquad "
+    words += r"-\lambda(\lambda^2-k)\quad\text{at }(k,0,0) .\]"
+    assert not any(one.green for one in verdicts(FAMILIES + words).values())
