@@ -45,7 +45,7 @@ def find_momenta(
             rated = {n for row in beside for n in names.scalars(row.rates)}
             first = {n for row in before for n in names.scalars(row.rates)}
             inner = {names.whole(n) for n in one.members[1].names()}
-            unknown = inner & in_law & {*names.vectors} - given
+            unknown = inner & in_law & {*names.vectors} - given - {*_fixed(items, own)}
             unknown = unknown & turning or unknown
             moving = [
                 one
@@ -65,12 +65,22 @@ def _gives(item: SourceStatement) -> bool:
     """Whether a statement has a name alone on its left, and an expression on its right."""
     if len(item.members) != 2 or item.rates or not item.bare or cue("if", item.lead):
         return False
+    if cue("equilibrium", item.before):
+        return False  # so it is there only
     match item.members:
         case (Name(), Name()):
             return False
         case (Name(), Vector(entries)):
             return not all(isinstance(entry, Name | Number) for entry in entries)
     return isinstance(item.members[0], Name)
+
+
+def _fixed(items: Iterable[SourceStatement], rows: Sequence[SourceStatement]) -> Iterator[str]:
+    """The vectors of which numbers are the components, before some equations of motion."""
+    for one in items:
+        match one.members:
+            case (Name(name), Vector(entries)) if all(isinstance(e, Number) for e in entries):
+                yield from [name] if rows and one.order < rows[0].order else ()
 
 
 def _has(item: SourceStatement, name: str) -> bool:

@@ -283,8 +283,9 @@ def point(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _is_place(item: SourceStatement, known: Known) -> bool:
-    """Whether a statement gives what moves, or its squares, by constants."""
-    fixed = [member for member in item.members if not known.varying(member.names())]
+    """Whether a statement gives what moves, or its squares, by constants and by integrals."""
+    levels = known.levels
+    fixed = [one for one in item.members if not known.varying(one.names() - levels)]
     moving = [member for member in item.members if member not in fixed]
     bases = [one.base if isinstance(one, Power) else one for one in moving]
     letters = all(isinstance(one, Name) and known.moves(one.name) for one in bases)

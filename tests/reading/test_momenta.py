@@ -117,3 +117,22 @@ FIXED = r"""The angular momentum is $@K=@J@w$, with $@J=\operatorname{diag}(B_1,
 def test_what_is_said_in_a_fixed_frame_is_not_the_law_in_that_of_the_body(claim, green):
     found = judged(FIXED + claim, LETTERS[0])
     assert found[-1].verdict.green == green
+
+
+SPINS = r"""Two spins obey \[\dot{@K}=(k@w+b@n)\times@K,\qquad \dot{@w}=(k@K+c@n)\times@w,\]
+where $@n=(0,0,1)$. """
+SUM = r" The function $@K\cdot@n+@w\cdot@n$ is an integral."
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        (r"Equilibria are \[@K=\pm s@n,\qquad @w=\pm r@n .\]", True),
+        (r"Equilibria are \[@K=s@n,\qquad @w=(r,0,0) .\]", False),
+    ],
+)
+@pytest.mark.parametrize("letters", LETTERS)
+def test_vectors_at_rest_are_no_momenta(words, green, letters):
+    first, *_, last = judged(SPINS + words + SUM, letters)
+    assert first.verdict.green is green
+    assert last.verdict.green
