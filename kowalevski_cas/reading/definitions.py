@@ -258,6 +258,10 @@ def _level(
     if behind and not isinstance(first, Name | Application | PoissonBracket):
         if known.varying(item.names - {*fresh}):
             why = f"names the value {plain(fresh[0])}"
+            listed = last_clause(joined_lead(item)) if joined_lead(item) != item.lead else ""
+            if said := cue("integral", listed) if item.typed.inline else "":
+                why = f"“{said}” is said of it and others; it names {plain(fresh[0])}"
+                return StatementRole(CLAIM, why, "integral", (*fresh,))
             if (
                 (item.typed.inline and not is_deduced_level(item))
                 or cue("suppose", item.lead)

@@ -115,13 +115,15 @@ class Known:
 
     @cached_property
     def times(self) -> frozenset[str]:
-        """The names of times: of x and s only where something is derived by them.
+        r"""The names of times: of x and s only where something is derived by them.
 
-        So it is, by primes, where differentials give another time.
+        So it is, by primes, where differentials give another time. The letter :math:`\tau` is one
+        where anything is its function, or it is given, or called so.
         """
         marks = frozenset().union(*(item.marks for item in self.items))
         given = {one.other_time for one in self.items if "d" in one.names}
-        return (frozenset({"t", r"\tau"}) | marks | given) & self.paper.words.times
+        own = {r"\tau"} if _IS_TIME.search(self.paper.expanded.text) else set[str]()
+        return (frozenset({"t"}) | own | marks | given) & self.paper.words.times
 
     @cached_property
     def unread_matrices(self) -> frozenset[str]:
@@ -488,6 +490,11 @@ class Known:
         return [name for name in names if self.varies(name)]
 
 
+_IS_TIME = re.compile(
+    r"(?:(?<![A-Za-z])d|\{\s*d\s*\}|\\mathrm\s*d)\s*\\tau|\((?:\\tau|[-+]?\s*t?\s*[-+]\s*\\tau)\s*\)|(?<![A-Za-z\d})])\\tau\s*&?=|\\tau\s*[-+]\s*(?:\\tau|t)_?0"
+    r"|\b(?:times?|врем\w+)[\s~,]*(?:\w+\s+){0,2}\$?\s*\\tau|\\(?:sin|cos|tan|sinh|cosh|exp|ln)\s*(?:\w|\\[a-z]+)?\s*\\tau"
+)
+"""What makes a time of this letter."""
 _STEP = re.compile(r"([a-z])(?:[+-]\d+)?")
 _WITH = re.compile(
     r"[\s,;~]*(?:with|where|for\s+which|such\s+that|где|для\s+котор\w+)[\s:~]*", re.IGNORECASE

@@ -108,3 +108,26 @@ def test_a_letter_that_was_used_before_is_no_name_of_a_value():
     text = FIELD.replace("=uw", "=guw") + r"On the level $G=g$ the motion is simple. We have "
     claim = r"$\ddot u=g^2uw$."
     assert not [*verdicts(text + claim).values()][-1].green
+
+
+PAIR = r"""Two vectors turn: \[\dot{\mathbf S}=k\mathbf T\times\mathbf S,\qquad \dot{\mathbf T}=k\mathbf S\times\mathbf T .\] """
+
+
+@pytest.mark.parametrize(
+    ("second", "green"),
+    [
+        (r"|\mathbf T|=\tau", True),
+        (r"|\mathbf T-\mathbf S|=\tau", True),
+        (r"|\mathbf T|S_1=\tau", False),
+    ],
+)
+@pytest.mark.parametrize("between", [" and ", ", "])
+def test_what_is_preserved_is_listed_and_any_letter_names_its_value(second, green, between):
+    words = rf"The lengths are preserved, $|\mathbf S|=s${between}${second}$."
+    assert [one.green for one in verdicts(PAIR + words).values()] == [True, green]
+
+
+@pytest.mark.parametrize("right", [r"\tau^2", r"2\tau"])
+def test_a_letter_of_a_time_is_a_constant_where_nothing_depends_on_it(right):
+    words = rf"Let $|\mathbf T|=\tau$. Then \[(\mathbf T+\mathbf S)^2=s^2+{right}+2\,\mathbf S\cdot\mathbf T\] with $|\mathbf S|=s$."
+    assert [*verdicts(PAIR + words).values()][-1].green is (right == r"\tau^2")
