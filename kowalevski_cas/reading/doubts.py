@@ -34,6 +34,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
+from kowalevski_cas.reading.named_values import CALLED_ENERGY
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.permuted import has_more_rows
@@ -114,7 +115,7 @@ def doubt_of(
     ``candidates`` are all claims that the statement may make.
     """
     known = parts.of(item)
-    role = parts.roles[item]
+    role, roles = parts.roles[item], parts.roles.values()
     fixed = (member for member in item.members if not known.varying(member.names()))
     if role.kind == "identity" and not item.derives and any(fixed):
         return Doubt.ALWAYS
@@ -131,6 +132,7 @@ def doubt_of(
         or any(map(has_more_rows, known.laws))
         or parts.is_averaged(item)
         or kept_before(item, known)
+        or any(role.kind == CALLED_ENERGY and {*role.names} & item.names for role in roles)
     ):
         return Doubt.ALWAYS
     if role.kind in OF_LINEAR_PART and may_be_of_squares(item, known):

@@ -45,6 +45,10 @@ STATES: dict[str, str] = {
         \bединственн\w+\s+(?:\w+\s+)?(?:интеграл|инвариант|решени)\w*
         \bдруг\w+\s+(?:интеграл|решени)\w+\s+нет\b""",
     "every one": r"""
+        \b(?:all|any|every|each)\s+(?:\w+\s+){0,2}(?:combinations?|choices?)\s+of\s+(?:the\s+)?signs?\b
+        \bindependent\s+signs\b
+        \bsigns\s+(?:are|being)\s+independent\b
+        \b(?:все|люб\w+|всевозможн\w+)\s+(?:\w+\s+){0,2}(?:сочетани|комбинаци)\w+\s+знаков
         \b(?:every|any|each)\s+(?:\w+\s+){0,2}function\b(?=[^.;]*\b(?:integral|constant|conserved|invariant)\b)
         \b(?:любая|всякая|каждая)\s+(?:\w+\s+)?функци\w+(?=[^.;]*(?:интеграл|сохраня|постоян))""",
     "value": r"""
@@ -85,7 +89,7 @@ STATES: dict[str, str] = {
     "integral": r"""
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
         \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
-        (?:is|are|remains?|stays?)\s+(?:\w+\s+)?constant\b
+        (?:is|are|remains?|stays?)\s+(?:\w+\s+)?constant\b(?!\s+values?\s+of)
         constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
     "invariant": r"""
         \binvarian\w+ инвариантн\w+""",

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import verdicts
 
 LAW = (
@@ -44,3 +45,42 @@ def test_a_name_stands_for_the_value_of_a_function_along_the_motion(words):
 )
 def test_a_value_at_a_place_or_of_something_else_is_none(words):
     assert not any(one.green for one in verdicts(LAW + words + RATE).values())
+
+
+FREE = r"""The equations of motion are $$\dot x=y,\qquad \dot y=-x+ax^2.$$
+The Hamiltonian $H=\tfrac12(x^2+y^2)-\tfrac13ax^3$ is constant. Hence $$y^2=2h-x^2+\tfrac23ax^3,$$ """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "where $h$ is the value of $H$.",
+        "where $h$ is the constant value of the integral $H$ along a motion.",
+        "where $h$ denotes the constant of the energy $H$.",
+        "where $h$ is the energy.",
+        "where $h$ is the energy constant.",
+        "where $h$ is the value of $H$, and the motion is simple.",
+        "где $h$ — постоянная энергии.",
+        "где $h$ есть значение интеграла $H$.",
+    ],
+)
+def test_a_letter_is_explained_behind_a_formula_as_the_value_of_a_function(words):
+    assert all(one.green for one in verdicts(FREE + words).values())
+    wrong = (FREE + words).replace(r"\tfrac23a", r"\tfrac13a")
+    found = [*verdicts(wrong).values()]
+    assert not found[-1].green
+    assert (found[-1] is Verdict.REFUTED) <= ("$H$" in words)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "where $h$ is the value of $H$ at the saddle.",
+        "where $h$ is the value of $H$, at the origin.",
+        "where $h$ is half the value of $H$.",
+        "where $h$ is the height.",
+        "if $h$ is the energy.",
+    ],
+)
+def test_a_letter_that_is_called_otherwise_is_no_such_value(words):
+    assert not [*verdicts(FREE + words).values()][-1].green
