@@ -43,6 +43,7 @@ RATES = {
     r"\dot": Accent("\u0307", "˙", "dot({})"),
     r"\ddot": Accent("\u0308", "¨", "dot.double({})"),
     r"\dddot": Accent("\u20db", "⃛", "dot.triple({})"),
+    r"\ddddot": Accent("\u20dc", "⃜", "dot.quad({})"),
 }
 """Those that make the name of a rate of it, by the number of dots."""
 

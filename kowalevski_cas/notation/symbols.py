@@ -32,7 +32,7 @@ TRANSPOSED = frozenset({"T", r"\mathsf{T}", r"\mathrm{T}", r"\top", r"\intercal"
 """The marks of a transposed matrix."""
 _SPACE = re.compile(r"\\[,;: ]|~")
 _PI = r"\pi"
-_DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
+_DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3, r"\ddddot": 4}
 
 
 class _Scripts:

@@ -8,6 +8,9 @@ from kowalevski_cas.notation import Derivative, Formula, Name, Partial
 from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.problem.space import Meaningless
 
+MOST = 4
+"""How often a variable may be derived in equations of motion: four dots have names."""
+
 
 def velocities(
     equations: Sequence[Formula],
@@ -24,10 +27,8 @@ def velocities(
         for name, order in orders(equation, given=given):
             for variable in vectors.get(name, (name,)):
                 rate = variable
-                if variable in variables and order > 3:
-                    raise Meaningless(
-                        f"{variable} is derived {order} times: at most three are read"
-                    )
+                if variable in variables and order > MOST:
+                    raise Meaningless(f"{variable} is derived {order} times: at most four are read")
                 for _ in range(order - 1 if variable in variables else 0):
                     # targets are assigned from left to right: the key is still the name before
                     found[rate] = rate = rate_name(rate)

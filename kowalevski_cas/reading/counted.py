@@ -79,7 +79,7 @@ _THROUGHOUT = re.compile(
 )
 """Words for what holds in a whole paper."""
 _OF_ALL = re.compile(
-    r"(?:\\d{1,3}ot(?![A-Za-z])|\\frac\s*\{\s*(?:d|\\mathrm\s*\{?\s*d)(?![A-Za-z]))[^=]*_\s*\{?\s*[a-z]"
+    r"(?:\\d{1,4}ot(?![A-Za-z])|\\frac\s*\{\s*(?:d|\\mathrm\s*\{?\s*d)(?![A-Za-z]))[^=]*_\s*\{?\s*[a-z]"
 )
 """A rate of what has a letter in its index."""
 _SUMS = re.compile(r"\\(?:sum|prod)(?![A-Za-z])")

@@ -25,7 +25,7 @@ _GIVEN = re.compile(
     rf"\s*\{{?\s*(?P<name>{_NAME})\s*\}}?\s*(?:\(\s*(?P<at>{_NAME})\s*\))?\s*=(?P<by>[^=,;]+)"
 )
 """A name alone on the left of one equation, perhaps at an argument."""
-_RATED = re.compile(r"\\d{1,3}ot(?![A-Za-z])|d\s*t\s*\}")
+_RATED = re.compile(r"\\d{1,4}ot(?![A-Za-z])|d\s*t\s*\}")
 """A rate."""
 _APART = re.compile(r"\\q?quad(?![A-Za-z])|\\\\|[,;&]")
 

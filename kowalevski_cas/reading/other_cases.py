@@ -39,7 +39,7 @@ OTHERWISE = (
 )
 NOT_CLAIMED = ("denied", "excepted", "quoted", "asked", MORE)
 """The kinds of what is printed and not claimed as it is."""
-_RATE = re.compile(r"\\d{1,3}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
+_RATE = re.compile(r"\\d{1,4}ot(?![A-Za-z])[^=]*=|\\frac\s*\{\\?(?:mathrm\s*)?\{?d[^=]*=")
 """A printed rate."""
 _SUPPOSED = re.compile(
     r"\b(?:now|here|if|when|with|under|suppose|let|consider|take|assume"

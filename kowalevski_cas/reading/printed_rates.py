@@ -364,14 +364,23 @@ def _is_driven(row: SourceStatement) -> bool:
     What is alone on the other side is a force then, and no name for what stands there; but words
     may call that an integral, and where what moves multiplies the acceleration it is some function.
     """
-    if cue("integral", f"{row.words} {row.after}") or len(row.rates) != 1:
+    if len(row.rates) != 1 or (highest := max(row.rates.values())) < 2:
+        return False
+    if cue("integral", row.before) or (cue("integral", row.after) and not _HAS.match(row.after)):
         return False
     terms = row.members[0].terms if isinstance(row.members[0], Sum) else ()
-    driven = [term for term in terms if highest_order(term) > 1]
+    driven = [term for term in terms if highest_order(term) == highest]
     outside = (
         node for term in driven for node in (term, *term.children()) if not highest_order(node)
     )
     return bool(driven) and not any(node.names() & {*row.rates} for node in outside)
+
+
+_HAS = re.compile(
+    r"[^.;]*?\b(?:has|have|admits?|possess(?:es)?|имее?ю?т|допуска[ею]т|hat|besitzt|poss[èe]de)\b",
+    re.IGNORECASE,
+)
+"""Words behind an equation that say that it has an integral, and is none."""
 
 
 def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:

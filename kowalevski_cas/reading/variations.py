@@ -11,9 +11,9 @@ from dataclasses import replace
 
 from kowalevski_cas.source.displays import TypedFormula
 
-_DOTS = r"\\d{1,3}ot(?![A-Za-z])"
+_DOTS = r"\\d{1,4}ot(?![A-Za-z])"
 _NAME = (
-    r"(?:\\(?!d{1,3}ot|d?frac|left|right|in|cdot|times|[lgn]eq?|to|,)[A-Za-z]+|[A-Za-z])"
+    r"(?:\\(?!d{1,4}ot|d?frac|left|right|in|cdot|times|[lgn]eq?|to|,)[A-Za-z]+|[A-Za-z])"
     r"(?:_(?:\w|\{\w+\}))?"
 )
 _GAP = r"(?:\s|\\[,;!])*"

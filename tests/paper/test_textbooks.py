@@ -252,7 +252,7 @@ def test_velocities_are_variables():
         (r"\dot x+\dot y=x", "1 equations of motion for the 2 rates of x, y"),
         (r"\dot x=y,\quad \dot y=x,\quad \dot x=2y", "x moves by two equations"),
         (r"\dot x=y,\quad y'=x", "dots and primes in the same equations"),
-        (r"x''''=y,\quad y'=x", "x is derived 4 times"),
+        (r"x'''''=y,\quad y'=x", "x is derived 5 times"),
         (r"\dot x=\sum_{i=1}^n y,\quad \dot y=x", "print both limits as numbers"),
     ],
 )
