@@ -217,8 +217,11 @@ class Plain:
 
     def is_by_own_time(self, mark: str) -> bool:
         """Whether derivatives with this mark are those by the time of the scene."""
-        time = self.setting.scene.time
-        return mark in ("dot" if time == "t" else "prime", time)
+        scene = self.setting.scene
+        return (mark == "prime" and scene.primes) or mark in (
+            "dot" if scene.time == "t" else "prime",
+            scene.time,
+        )
 
     def _rate(self, argument: Formula) -> Formula:
         """The derivative along the field; that of a variable may be a variable."""

@@ -70,6 +70,8 @@ class Scene:
         printed equations with a derivative on the left, or a :class:`Change`.
     ``time``
         the independent variable, ``"t"`` or ``"\tau"``.
+    ``primes``
+        whether primes derive by the time, as dots do.
     ``clock``
         the printed relation of another independent variable to ``time``.
     ``unit``
@@ -128,6 +130,7 @@ class Scene:
     loci: tuple[Locus, ...] = ()
     jets: tuple[tuple[str, str, str], ...] = ()
     matrices: tuple[str, ...] = ()
+    primes: bool = False
 
     def __post_init__(self) -> None:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""

@@ -94,6 +94,8 @@ class Stage:
         clock = self._clock(items)
         closure = self._closure([*items, *([clock] if clock is not None else [])], law)
         law = closure.law
+        if law is not None and (own := self._own_clock(law)) is not None:
+            clock, closure = own, self._closure([*items, own], law)
         derived = any(one.derives for one in (*items, *closure.definitions.values()))
         if law is None and derived and TIME not in closure.names:
             raise ValueError("no equation says how what is derived moves")
@@ -367,6 +369,11 @@ class Stage:
         fitting = [one for one in before if "prime" in marks or one.other_time in marks]
         return fitting[-1] if fitting else None
 
+    def _own_clock(self, law: Law) -> SourceStatement | None:
+        """What gives the time by which the equations of motion are printed, if it is another."""
+        marks = {mark for row in law.rows for mark in row.marks}
+        return next((one for one in self.known.clocks if marks == {one.other_time}), None)
+
     def _made(
         self,
         closure: _Closure,
@@ -391,9 +398,12 @@ class Stage:
         title = closure.law.title if closure.law else "the constants"
         law = closure.law
         rows = tuple(row.printed for row in law.rows) if law and not law.images else ()
+        own = self._own_clock(law) if law is not None else None
         scene = Scene(
             title, vectors, closure.variables, constants, rows, definitions=places, powers=powers,
             matrices=tuple(name for name in places if name in self.known.paper.words.matrices),
+            time=own.other_time if own is not None else TIME,
+            primes=self.known.paper.primed_by_time,
         )  # fmt: skip
         scene = with_free_functions(scene, functions) if functions else scene
         squared = {name for place in squares for name in place.heads.squares}

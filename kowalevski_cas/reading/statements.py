@@ -43,11 +43,13 @@ from kowalevski_cas.reading.free_functions import (
     told_since,
     with_names_alone,
 )
+from kowalevski_cas.reading.independent import independent_variable, with_time
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.links import with_links
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
+from kowalevski_cas.reading.operators import with_operators
 from kowalevski_cas.reading.orbits import with_orbits
 from kowalevski_cas.reading.reach import with_reach
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
@@ -211,6 +213,8 @@ class SourcePaper:
     """The offsets of the formulas that are read for these numbers."""
     told_since: Mapping[str, int] = field(default_factory=dict)
     """Where the section begins that first makes a name a function of the time, by the names."""
+    primed_by_time: bool = False
+    """Whether it is known that primes derive by the time."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -336,6 +340,9 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     counted = [*without_ellipses(with_counts(typed, numbers))]
     several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
+    typed = [*with_operators(typed, expanded.text)]
+    variable = independent_variable(typed, expanded.text)
+    typed = [*with_time(typed, variable)]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     typed = [*with_bars(typed, expanded.text)]
     named = [*without_set_names(typed)]
@@ -402,7 +409,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
         {formula.start: name for formula, name in named if name}, functions, orbits,
-        numbers, frozenset(several), since,
+        numbers, frozenset(several), since, bool(variable),
     )  # fmt: skip
 
 
