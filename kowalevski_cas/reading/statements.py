@@ -51,6 +51,7 @@ from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.operators import with_operators
 from kowalevski_cas.reading.orbits import with_orbits
+from kowalevski_cas.reading.own_arguments import with_own_names
 from kowalevski_cas.reading.reach import with_reach
 from kowalevski_cas.reading.text import MARK, Prose, TextSection, references
 from kowalevski_cas.reading.variations import with_variations
@@ -343,6 +344,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     typed = [*with_operators(typed, expanded.text)]
     variable = independent_variable(typed, expanded.text)
     typed = [*with_time(typed, variable)]
+    typed = [*with_own_names(typed)]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     typed = [*with_bars(typed, expanded.text)]
     named = [*without_set_names(typed)]
