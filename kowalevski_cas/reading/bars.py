@@ -1,7 +1,4 @@
-r"""Letters with bars that are new names, as the images :math:`\bar x=y,\ \bar y=-x`.
-
-Elsewhere a bar is a complex conjugate.
-"""
+r"""Letters with a bar that are new names: :math:`\bar x=x+y` gives one where nothing is complex."""
 
 from __future__ import annotations
 
@@ -9,52 +6,48 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from kowalevski_cas.paper.chains import NAME
 from kowalevski_cas.source.displays import TypedFormula
 
-_UNDER = (
-    r"\s*(?:\{\s*(?P<letter>[A-Za-z]|\\[A-Za-z]+)\s*\}"
-    r"|(?P<bare>[A-Za-z](?![A-Za-z])|\\[A-Za-z]+))"
+_BAR = r"\\(?:bar|overline)(?![A-Za-z])"
+_BARRED = rf"{_BAR}\s*(?:\{{\s*(?P<name>{NAME})\s*\}}|(?P<of>{NAME}))"
+_GIVES = re.compile(
+    rf"(?:^|\\\\|,|;|\\q?quad(?![A-Za-z])|\\label\s*\{{[^{{}}]*\}})\s*&?\s*{_BARRED}\s*&?\s*=\s*&?"
+    r"(?P<value>(?:(?!\\\\|\\q?quad)[^=,;])+)"
 )
-_SIGN = re.compile(rf"\\(?:bar|overline)(?={_UNDER})")
-_GIVEN = re.compile(rf"[\s&]*\\(?:bar|overline){_UNDER}[\s&]*=(?P<value>.*)", re.DOTALL)
-_PARTS = re.compile(r"\\\\|\\q?quad|[,;]")
-"""What stands between equations of a display."""
-_INDEX = r"_(?:\w|\{[^{}]*\})"
-_LETTER = re.compile(rf"[\s{{}}&.,]*(?:\\(?!frac|sqrt)[A-Za-z]+|[A-Za-z])(?:{_INDEX})?[\s{{}}&.,]*")
-_WORDS = re.compile(r"\\(?:label|tag|(?:eq)?ref|begin|end|text|mbox|operatorname)\s*\{[^{}]*\}")
-_NO_UNIT = re.compile(
-    rf"{_INDEX}|{_WORDS.pattern}"
-    r"|\\(?!im\b|I\b|ii\b|mathrm\s*\{\s*i)[A-Za-z]+|\bi\s*="
-)
-"""Words, indices, other macros and ranges, in which the letter i is no imaginary unit."""
-_UNIT = re.compile(r"\\(?:im|I|ii)\b|i")
+_FIRST = re.compile(rf"\s*(?:\\label\s*\{{[^{{}}]*\}}\s*)?&?\s*{_BARRED}\s*&?\s*=")
+_RUN = re.compile(r"_\s*(?:\{[^{}]*\}|\w)|\\[A-Za-z]+(?:\s*\{\s*i\s*\})?|[A-Za-z]")
+"""An index, a macro, or a letter: i alone is the imaginary unit."""
 _COMPLEX = re.compile(
-    r"\b(?:complex|conjugate\s+(?:of|to|function|number|quantit)\w*|holomorphic|комплексн\w*"
-    r"|сопряж[её]нн\w+\s+(?:к|функци|числ|величин)\w*)",
+    r"\b(?:complex|conjugate\s+(?:of|to|function|number|quantit)\w*|holomorphic|комплексн\w*|сопряж[её]нн\w+\s+(?:к|функци|числ|величин)\w*)",
     re.IGNORECASE,
 )
-_ACCENTS = (r"\tilde", r"\hat", r"\check", r"\breve")
-"""What a bar may be read as where it makes names."""
+_OTHERS = ("tilde", "hat", "check", "breve")
 
 
 def with_bars(formulas: Sequence[TypedFormula], text: str) -> Iterator[TypedFormula]:
-    """The formulas, with another accent in the place of bars that make new names.
+    r"""The formulas, with another accent in the place of bars that make new names.
 
-    They do where a letter with a bar is first printed as what an equation gives, and nothing is
-    complex: a value that is no letter alone tells, too, that it is no conjugate.
+    Where i is printed, or words call something complex, a bar is a conjugate; but several letters
+    with bars that are given side by side, one of them by its own letter, are new names.
     """
-    barred = next((one.tex for one in formulas if "=" in one.tex and _SIGN.search(one.tex)), "")
-    given = [
-        found for part in _PARTS.split(_WORDS.sub("", barred)) if (found := _GIVEN.fullmatch(part))
-    ]
-    values = [found["value"] for found in given if not _SIGN.search(found["value"])]
-    is_complex = any(_UNIT.search(_NO_UNIT.sub(" ", one.tex)) for one in formulas)
-    is_name = any(not _LETTER.fullmatch(value) for value in values)
-    real = any(found["value"].strip(" .") in (found["letter"], found["bare"]) for found in given)
-    is_name = is_name or bool(values and not real and not _COMPLEX.search(text))
-    accent = next((one for one in _ACCENTS if all(one not in f.tex for f in formulas)), "")
+    mark = next(
+        (one for one in _OTHERS if f"\\{one}" not in text and f"\\wide{one}" not in text), ""
+    )
+    renames = mark and _make_names([one.tex for one in formulas], text)
     for formula in formulas:
-        if is_name and accent and not is_complex:
-            yield replace(formula, tex=_SIGN.sub(lambda _: accent, formula.tex))
-        else:
-            yield formula
+        tex = re.sub(_BAR, rf"\\{mark}", formula.tex) if renames else formula.tex
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def _make_names(texts: Sequence[str], text: str) -> bool:
+    """Whether the first formula with a bar that says something gives a name to what has none."""
+    first = next((tex for tex in texts if re.search(_BAR, tex) and "=" in tex), "")
+    if not _FIRST.match(first) or any({"i", r"\mathrm{i}"} & {*_RUN.findall(tex)} for tex in texts):
+        return False
+    given = {one["name"] or one["of"]: one["value"] for one in _GIVES.finditer(first)}
+    new = [name for name, value in given.items() if value.strip(" .,;\n") != name]
+    if not new or any(re.search(_BAR, value) for value in given.values()):
+        return False
+    own = [name for name in new if name in re.findall(NAME, given[name])]
+    return bool(len(given) > 1 and own) or _COMPLEX.search(text) is None

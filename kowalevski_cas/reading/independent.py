@@ -6,7 +6,16 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from kowalevski_cas.reading.operators import BY, DERIVATIVE, EQUALS, LETTER, RATIO, RATIO_BY, by_of
+from kowalevski_cas.reading.operators import (
+    BY,
+    DERIVATIVE,
+    EQUALS,
+    LABEL,
+    LETTER,
+    RATIO,
+    RATIO_BY,
+    by_of,
+)
 from kowalevski_cas.source.displays import TypedFormula
 
 _TOKEN = re.compile(
@@ -24,13 +33,14 @@ _BY_PRIME = re.compile(
 )
 """How words say by what a prime derives; a mark is the formula for it."""
 _MARK = re.compile(
-    r"\s*(?:\{\s*\})?\s*(?:\^\s*\{?\s*\\prime\s*\}?|'|\\prime"
+    rf"{LABEL}"
+    r"(?:\{\s*\})?\s*(?:\^\s*\{?\s*\\prime\s*\}?|'|\\prime"
     r"|\\dot\s*(?:\{\s*(?:~|\\,|\\ )?\s*\}|\s))"
     rf"\s*{EQUALS}\s*{RATIO}[\s.,;]*"
 )
 """What a prime, or a dot, is said to be: :math:`'=d/dx`."""
 _OF = re.compile(
-    rf"\s*(?P<name>{LETTER})\s*(?:=\s*(?P=name)\s*)?\(\s*(?P<by>\\?[A-Za-z]+)\s*\)[\s.,;]*"
+    rf"{LABEL}(?P<name>{LETTER})\s*(?:=\s*(?P=name)\s*)?\(\s*(?P<by>\\?[A-Za-z]+)\s*\)[\s.,;]*"
 )
 """What is a function of something: :math:`u=u(x)`."""
 _ALONE = re.compile(r"\s*(?P<by>\\[A-Za-z]+|[A-Za-z])[\s.,;]*")

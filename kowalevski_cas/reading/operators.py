@@ -25,8 +25,9 @@ RATIO_BY = re.compile(
 """The letter by which a quotient of differentials derives."""
 _RATIO_ALONE = re.compile(rf"\s*{RATIO}[\s.,;]*")
 EQUALS = r"(?::?=|\\equiv|\\coloneqq|\\colon\s*=)"
-_GIVEN = re.compile(rf"\s*(?P<letter>{LETTER})\s*{EQUALS}\s*{RATIO}[\s.,;]*")
-_DEFINED = re.compile(rf"\s*&?\s*(?P<letter>{LETTER})\s*&?\s*{EQUALS}")
+LABEL = r"\s*(?:\\label\s*\{[^{}]*\}\s*)?"
+_GIVEN = re.compile(rf"{LABEL}(?P<letter>{LETTER})\s*{EQUALS}\s*{RATIO}[\s.,;]*")
+_DEFINED = re.compile(rf"{LABEL}&?\s*(?P<letter>{LETTER})\s*&?\s*{EQUALS}")
 _ALONE = re.compile(rf"\s*(?P<letter>{LETTER})[\s.,;]*")
 DERIVATIVE = (
     r"(?:differential\s+)?(?:operator\s+of\s+)?(?:total\s+|time\s+|ordinary\s+)*"

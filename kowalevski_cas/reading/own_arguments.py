@@ -19,7 +19,7 @@ _AT_TIME = re.compile(r"\s*(?:\\left\s*)?\(\s*t\s*(?:\\right\s*)?\)\s*$")
 _VALUE = re.compile(r",|^\s*(?:\d+|t_\w|t_\{\w+\})\s*$")
 """What is no factor in brackets, but an argument."""
 _PRIMED = re.compile(rf"(?<![A-Za-z\\])({NAME})\s*'+\s*&?\s*=")
-_GIVES = re.compile(r"\s*(?:\\begin\{[a-z]+\})?\s*&?\s*")
+_GIVES = re.compile(r"\s*(?:\\(?:begin|label)\s*\{[^{}]*\}\s*)*&?\s*")
 
 
 def with_own_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:

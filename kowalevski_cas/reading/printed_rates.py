@@ -124,6 +124,7 @@ class PrintedRates:
             or self._told(row)
             or _is_driven(row)
             or _is_pushed(row, rows)
+            or _is_wanted(row, rows, items)
             or is_of_areas(row, rows, paper)
             or row in completing
         ]
@@ -398,6 +399,22 @@ def _is_pushed(row: SourceStatement, rows: Sequence[SourceStatement]) -> bool:
         return False
     alone = all(one.rates.keys().isdisjoint(row.rates) for one in others)
     return alone and bool(_MOVES.search(row.lead)) and not cue("integral", row.words)
+
+
+def _is_wanted(
+    row: SourceStatement, rows: Sequence[SourceStatement], items: Sequence[SourceStatement]
+) -> bool:
+    r"""Whether a rate is a letter beside a row that needs it, as in :math:`\dot q=p, \dot p=a`.
+
+    No other row has that rate, and nothing else gives the letter.
+    """
+    match row.members:
+        case (Derivative(Name(name)), Name(value)) if not row.typed.inline:
+            beside = [one for one in rows if one is not row and one.sentence == row.sentence]
+            alone = all(name not in one.rates for one in rows if one is not row)
+            given = any(one.bare[:1] == (value,) for one in items if one is not row)
+            return alone and not given and any(name in one.names for one in beside)
+    return False
 
 
 def _is_rate_by(name: str, row: SourceStatement) -> bool:

@@ -330,10 +330,6 @@ class SourcePaper:
         return found
 
 
-def _nodes(item: SourceStatement) -> list[Formula]:
-    return [*item.formula.nodes()] if item.formula is not None else []
-
-
 def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> SourcePaper:
     """The statements of a source, read in the names that it uses, some of which are ``primed``."""
     expanded, typed = typed_formulas(source)
@@ -341,12 +337,11 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     counted = [*without_ellipses(with_counts(typed, numbers))]
     several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
-    typed = [*with_operators(typed, expanded.text)]
+    typed = [*with_operators([*with_bars(typed, expanded.text)], expanded.text)]
     variable = independent_variable(typed, expanded.text)
     typed = [*with_time(typed, variable)]
     typed = [*with_own_names(typed)]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
-    typed = [*with_bars(typed, expanded.text)]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
     functions = free_functions(printed, expanded.text)
@@ -420,13 +415,13 @@ class _Around:
 
     def __init__(self, prose: Prose, formula: TypedFormula) -> None:
         start, end = self.sentence = prose.sentence(formula.start)
-        self.before = prose.before(formula.start)
+        self.before = prose.between(start, formula.start)
         self.after = prose.between(formula.end, end)
         self.lead = self.before.rpartition(MARK)[2]
         self.tail = self.after.partition(MARK)[0]
         self.refs = references(prose.text[start:end])
         self.paragraph = prose.text.rfind("\n\n", 0, formula.start)
-        self.earlier = prose.earlier(formula.start, 3)
+        self.earlier = prose.earlier(start, 3)
 
 
 def _label(formula: TypedFormula) -> str:

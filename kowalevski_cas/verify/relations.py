@@ -17,7 +17,7 @@ from kowalevski_cas.algebra.flint import with_values
 from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, NotationError, to_latex
+from kowalevski_cas.notation import Formula, Name, NotationError, Sum, to_latex
 from kowalevski_cas.notation import Relation as Equation
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
@@ -76,11 +76,11 @@ def relations(statement: Statement) -> Iterator[ConstantRelation]:
     """The relations of constants by which all identities of a statement hold.
 
     Each is linear in one constant, and has two terms at least: that a constant vanishes, or what
-    is defined by constants, leaves nothing of what it stands before.
+    is defined by constants, or a sum of them in the claim, leaves nothing of what it stands before.
     """
     with suppress(NotationError, Meaningless, ZeroDivisionError):
         space = statement.on(statement.claim.scene)
-        named = _named_differences(space)
+        named = [*_named_differences(space), *_printed_sums(statement, space)]
         for factor in common_factors(statement, space.constants):
             if not any(all(not divmod(part, factor)[1] for part in parts) for parts in named):
                 yield from _solve(space, factor, statement.claim.scene)
@@ -109,6 +109,15 @@ def _named_differences(space: Elaboration) -> list[tuple[fmpq_mpoly, ...]]:
         with suppress(NotationError, Meaningless, ZeroDivisionError):
             found.append(tuple(space.finder.scalar(Name(name)).parts.values()))
     return [parts for parts in found if parts]
+
+
+def _printed_sums(statement: Statement, space: Elaboration) -> Iterator[tuple[fmpq_mpoly, ...]]:
+    """The numerators of the sums of constants that the places of a claim print, by their roots."""
+    for place in statement.claim.places():
+        for node in space.texts.statement(place).formula.nodes():
+            if isinstance(node, Sum) and node.names() <= {*space.constants}:
+                with suppress(NotationError, Meaningless, ZeroDivisionError):
+                    yield tuple(space.finder.scalar(node).parts.values())
 
 
 def _factors(

@@ -1,4 +1,4 @@
-"""Letters with bars and other accents: images under maps, or complex conjugates."""
+r"""Letters with bars and other accents: a bar makes a new name where an equation gives it and nothing is complex, or a conjugate."""
 
 import pytest
 
@@ -8,6 +8,39 @@ from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading, verdicts
 
 GREEN = (Verdict.PROVED, Verdict.CONDITIONAL)
+
+TURNING = r"We consider the equations \[\dot x=y,\qquad\dot y=-x.\] "
+GIVEN = (
+    r"In the new variables \[\bar x=x+y,\qquad\bar y=x-y\] we have $@$.",
+    r"Put $\bar x=x+y$ and $\bar y=x-y$. Then \[@.\]",
+    r"The letter $\bar x$ is used for a sum: $\bar x=x+y$, $\bar y=x-y$. Hence $@$.",
+)
+
+
+@pytest.mark.parametrize("words", GIVEN)
+@pytest.mark.parametrize("tex", [r"\dot{\bar x}=-\bar y", r"\dot{\bar x}=\bar y"])
+@pytest.mark.parametrize("mark", [r"\bar", r"\tilde", r"\overline"])
+def test_what_has_a_new_name_is_judged_with_any_mark(words, tex, mark):
+    found = verdicts(TURNING + words.replace("@", tex).replace(r"\bar", mark))
+    assert [one.green for one in found.values()] == ["-" in tex]
+
+
+def test_two_of_them_are_names_beside_complex_constants():
+    law = r"Let $a$ be a complex parameter. We have \[ \dot q=p,\qquad \dot p=a . \] "
+    new = r"Put \[ \bar q=q-p,\qquad \bar p=p,\qquad\bar a=-a . \] "
+    assert verdicts(law + new + r"Then \[\dot{\bar q}=\bar p+\bar a.\]").popitem()[1].green
+    assert not verdicts(law + new + r"Then \[\dot{\bar q}=\bar p-\bar a.\]").popitem()[1].green
+
+
+def test_what_has_no_bar_is_judged_beside_it():
+    found = verdicts(TURNING + GIVEN[0].replace("@", r"\dot x=y") + " $x^2+y^2$ is an integral.")
+    assert found["x^2+y^2"].green
+
+
+@pytest.mark.parametrize(("function", "green"), [(r"z\bar z", True), (r"z^2\bar z", False)])
+def test_a_conjugate_is_one_still(function, green):
+    text = rf"Let \[\dot z=iz.\] The function ${function}$ is an integral. For real $a$ let $\bar z=a$."
+    assert verdicts(text)[function].green == green
 
 
 @pytest.mark.parametrize("accent", [r"\bar", r"\tilde", r"\hat", r"\overline"])
