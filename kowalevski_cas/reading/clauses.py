@@ -40,6 +40,21 @@ _SAYS = re.compile(
 """How words begin that say something of what was spoken of before, under a condition."""
 
 
+def is_in_brackets(statement: SourceStatement) -> bool:
+    r"""Whether a statement stands in brackets of its own, behind what holds under it: (a=1)."""
+    if statement.typed.inline and _OPENED.search(statement.before):
+        return _CLOSED.match(statement.after) is not None
+    own = re.sub(r"\s", "", statement.printed.tex).strip(".,;")
+    whole = re.sub(r"\s|\\[,;:! ]|\\(?:left|right)(?![A-Za-z])", "", statement.typed.tex)
+    return f"({own})" in whole and not whole.startswith("(")
+
+
+_LISTED = rf"(?:[\s,;~]|{MARK}|\b(?:and|for|if|when|with|case|и|при|если)\b)*"
+_OPENED = re.compile(rf"\({_LISTED}$")
+_CLOSED = re.compile(rf"{_LISTED}\)")
+"""What stands around a condition in brackets, or in a list of several."""
+
+
 class Clauses:
     """The conditions of a sentence: each belongs to the claims behind it, or to those before.
 
@@ -71,7 +86,8 @@ class Clauses:
     def _claim(self, statement: SourceStatement) -> None:
         if _OTHERWISE.search(statement.lead):
             self._leading = []
-        if self._before not in self._claims or not _is_joined(statement):
+        beside = self._before is not None and self._before.typed is statement.typed
+        if self._before not in self._claims or not (beside or _is_joined(statement)):
             self._claims = []
         self._claims.append(statement)
         self.of[statement] = [*self._leading]
@@ -79,10 +95,10 @@ class Clauses:
     def _is_condition(self, statement: SourceStatement) -> bool:
         listed = self._before in self.behind or self._before in self._leading
         said = cue("condition", statement.lead) or (listed and _is_joined(statement))
-        return statement.typed.inline and bool(said)
+        return is_in_brackets(statement) or (statement.typed.inline and bool(said))
 
     def _suppose(self, statement: SourceStatement) -> None:
-        anew = _ANEW.search(statement.lead)
+        anew = _ANEW.search(statement.lead) if not is_in_brackets(statement) else None
         goes_on = MARK in statement.after and _GOES_ON.match(statement.tail)
         goes_on = goes_on or _SAYS.match(statement.tail)
         goes_on = goes_on or (

@@ -166,7 +166,8 @@ CUES: dict[str, str] = {
         \bat\s+(?:this|these|that|those|such)\b вблизи окрестност\w+
         в\s+(?:\w+\s+)?случа(?:е|ях)\b""",
     "on it": r"""
-        \bon\s+(?:it|this|them|these|that)\b \bthere\b на\s+н[её][мй]?\b на\s+них""",
+        \bon\s+(?:it|this|them|these|that|which)\b \bthere\b на\s+н[её][мй]?\b на\s+них
+        на\s+котор(?:ом|ой|ых)\b""",
     "on them": r"""
         \bon\s+(?:them|these)\b \bthere\b на\s+(?:них|этих)""",
     "restricted": r"""

@@ -61,6 +61,8 @@ def independent_variable(formulas: Sequence[TypedFormula], text: str) -> str:
     primed = any(map(_PRIME.search, texts))
     said = {*_said(formulas, text)} if primed else set()
     letters = ratios | (said or (_arguments(texts) if primed else set()))
+    if not letters and any(_PRIME.search(tex) and TIME in _TOKEN.findall(tex) for tex in texts):
+        return TIME  # what has primes has the time
     if len(letters) != 1:
         return ""
     (letter,) = letters

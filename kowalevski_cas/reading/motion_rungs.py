@@ -36,11 +36,7 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     What the law does not move solves the equations of its rate that are claimed: they are
     claimed once more.
     """
-    beside = [
-        one
-        for one, role in at.known.roles.items()
-        if role.kind == "solution" and one.sentence == at.item.sentence
-    ]
+    beside = _beside(at.item, at.known)
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
     found = solution_of(at.item, beside, law, at.known)
@@ -68,6 +64,18 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
             beginning=places(values), start=places([*at_start(values, at.known)]),
         )  # fmt: skip
         yield replace(rung, on=(*rung.on, *values))
+
+
+def _beside(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """The solutions of a sentence that are one with a statement: of none is a name given twice."""
+    found: list[list[SourceStatement]] = [[]]
+    for one in known.of_sentence(item.sentence):
+        if one in known.roles and known.roles[one].kind == "solution":
+            given = {name for other in found[-1] for name in other.bare[:1]}
+            if given & {*one.bare[:1]}:
+                found.append([])
+            found[-1].append(one)
+    return next((own for own in found if item in own), [])
 
 
 def _solved(

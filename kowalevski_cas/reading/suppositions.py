@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.signs import is_inequality
+from kowalevski_cas.reading.clauses import is_in_brackets
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
 from kowalevski_cas.reading.hypotheses import set_right_before
@@ -322,6 +323,16 @@ _VALUES_OF = re.compile(
 """How words end behind which a list of values stands."""
 
 
+def in_brackets(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""The value of a constant in brackets, for which what stands before it holds: F (a=1)."""
+    match item.members:
+        case (Name(name), value) if is_value(value) and is_in_brackets(item):
+            if not known.varying(item.names) and not known.is_defined(name):
+                why = "stands in brackets behind what it is supposed for"
+                return StatementRole(ASSUMPTION, why, "of the sentence", (name,))
+    return None
+
+
 def one_of_several(item: SourceStatement, known: Known) -> StatementRole | None:
     r"""One of several values that a list gives a constant, as :math:`\lambda=0,\lambda=\pm a`.
 
@@ -340,6 +351,8 @@ def _listed_with(item: SourceStatement, known: Known) -> list[SourceStatement]:
     The two signs of one value are several where words speak of values, and no law has the letter.
     """
     if len(item.members) != 2 or not isinstance(name := item.members[0], Name):
+        return []
+    if is_in_brackets(item):
         return []
     if known.varies(name.name) or known.is_defined(name.name):
         return []
