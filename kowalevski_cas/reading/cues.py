@@ -62,7 +62,10 @@ CUES: dict[str, str] = {
         скоб\w+ интегрируем\w+""",
     "invariant": r"""
         invariant keeps?\s+the (?:leaves?|leaving)\s+(?:it|them|the\s+\w+)\s+invariant
-        no\s+(?:motion|trajectory|orbit|solution)\s+leaves satisfied\s+by инвариантн\w+
+        no\s+(?:motion|trajectory|orbit|solution)\s+leaves
+        \b(?:is|are)\s+(?:an?\s+)?(?:orbits?|trajector(?:y|ies))
+        \bconsists?\s+of\s+(?:\w+\s+)?(?:orbits|trajectories|solutions)
+        состо[ия]т\s+из\s+(?:\w+\s+)?(?:траекторий|решений|движений) satisfied\s+by инвариантн\w+
         удовлетворя\w+""",
     "equilibrium": r"""
         equilibri\w+ (?:states?|points?)\s+of\s+(?:rest|libration)
@@ -400,7 +403,7 @@ CUES: dict[str, str] = {
         \bnot\s+(?:for|when|if|where|in\s+the\s+cases?(?:\s+of)?)\s*§ \bне\s+(?:при|когда|если)\s*§
         \b(?:кроме|за\s+исключением)\s+(?:случа\w+(?:,?\s+когда)?|того,?\s+когда)\s*§""",
     "region": r"""
-        \b(?:region|domain|interval|strip|half-?(?:plane|space|line|axis)|quadrant|octant|orthant|sector|where|in)\s*$
+        \b(?:region|domain|interval|strip|half-?(?:plane|space|line|axis)|quadrant|octant|orthant|sector|where|in|within)\s*$
         \b(?:at|in)\s+(?:all|every|each|any)\s+points?\s*$ \beverywhere\s+(?:in|on)\s*$
         (?:област\w+|интервал\w*|полос\w+|полу(?:плоскост|пространств|прям|ос)\w+|квадрант\w*|октант\w*|сектор\w*|где)\s*$
         \b(?:всех|каждой|любой)\s+точ(?:ках|ке|ек)\s*$ \bвсюду\s+(?:в|на)\s*$""",

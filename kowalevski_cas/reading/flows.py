@@ -30,7 +30,8 @@ _PLANE = re.compile(r"integrating|интегрирующ", re.I)
 
 _OF_FIELD = re.compile(
     r"\b(?:the\s+|its\s+)?divergence(?:\s+of\s+(?:(?:the|this|our)\s+)?(?:(?:vector|phase)\s+)?"
-    r"(?:field|flow|system|equations|right[\s-]+(?:hand\s+)?sides?)(?:\s+(?:of\s+)?\(?\\(?:eq)?ref\{[^{}]*\}\)?)?)?"
+    r"(?:field|flow|system|equations|right[\s-]+(?:hand\s+)?sides?)(?:\s+(?:of\s+)?\(?\\(?:eq)?ref\{[^{}]*\}\)?)?"
+    r"|\s+of\s+\(?\\(?:eq)?ref\{[^{}]*\}\)?)?"
     r"\s+(?:is|equals|is\s+equal\s+to)(?:\s+constant)?[\s,:~]*$"
     r"|\bдивергенци[яи](?:\s+(?:векторного\s+)?(?:поля|системы|потока))?(?:[\s~]*\(?\\(?:eq)?ref\{[^{}]*\}\)?)?"
     r"(?:\s+на\s+плоскости[\s~]*§)?\s*(?:равна|[-—–]+)[\s:~]*$",
