@@ -168,7 +168,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     opposite = not given.names and any(isinstance(m, Negative) for m in item.members)
     if opposite and not known.varying(item.names - {*fresh}):
         return None  # it gives no value of anything that moves
-    if not fresh or has_momentum(fresh[0], item, known):
+    if not fresh or has_momentum(fresh[0], item, known) or _is_given_beside(item, fresh[0], known):
         return None
     heads = {head(name)[0] for name in fresh}
     alone = [without_factor(m) for m in item.members]
@@ -197,6 +197,16 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return role
     return twin(fresh[0], item, known) or StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)
+    )
+
+
+def _is_given_beside(item: SourceStatement, name: str, known: Known) -> bool:
+    r"""Whether a rate is a letter that the next equation gives: :math:`\ddot r=-k, k=g/4`."""
+    rated = item.derives and item.members[0] != Name(name)
+    given = (one for one in known.later.get(name, ()) if one.typed is item.typed)
+    return rated and any(
+        one.order > item.order and one.members[0] == Name(name) and not known.varying(one.names)
+        for one in given
     )
 
 
@@ -281,6 +291,8 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
     for one in known.paper.alike[item.formula]:
         role = known.roles.get(one)
+        if one not in known.items and not item.names.isdisjoint(known.definitions):
+            continue  # it names what is something else here
         if (
             role is not None
             and role.name in NAMING

@@ -20,15 +20,13 @@ from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import is_of_motion
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, derived_names
 from kowalevski_cas.reading.together import find_together
-from kowalevski_cas.reading.unprinted import hamiltonians_of_examples, implied_rows
+from kowalevski_cas.reading.unprinted import hamiltonians_anew, implied_rows
 
 
 def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()) -> list[Law]:
     """The laws of motion of a paper, in its order, with those of Hamiltonians of examples."""
     found = _closed_sets(paper, names, said, maps)
-    for item, rows in hamiltonians_of_examples(paper) if found and not maps else ():
-        assert item.theorem is not None
-        begins, end = item.theorem
+    for (begins, end), rows in hamiltonians_anew(paper) if found and not maps else ():
         within = [law for law in found if begins <= law.first.typed.start < end]
         before = [law for law in found if law.first.typed.start < begins]
         printed = [row for law in within for row in law.items]
@@ -214,7 +212,7 @@ class _LawFinder(PrintedRates):
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
-        if not (self._may_set_up(item) or beside):
+        if not (self._may_set_up(item) or beside or self._is_rate_of_new(item, part)):
             return None
         beside = beside and not stands_beside(self, item, part)
         if not beside and item not in (*self.said.rows, *self.solutions):
@@ -245,6 +243,14 @@ class _LawFinder(PrintedRates):
             if rated & {*self.names.scalars(law.mentions)} - moving - {*law.variables}:
                 return None  # it rests on what follows
         return law
+
+    def _is_rate_of_new(self, item: SourceStatement, part: Sequence[Law]) -> bool:
+        r"""Whether what moves is the multiple of a rate of something new: :math:`v=\dot r`."""
+        moving = {name for law in part for name in law.variables}
+        given = {*self.names.scalars(item.bare[:1])}
+        new = {*self.scalars(item)} - moving
+        velocities = all(order == 1 for order in item.rates.values())
+        return bool(given) and given <= moving and bool(new) and velocities
 
     def fuller(self, item: SourceStatement, moving: set[str]) -> Law | None:
         r"""A closed display that words call a system, for all that moved and more: the law then.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import product
 
@@ -39,7 +40,8 @@ def solutions(at: RungMaker) -> Iterator[Rung]:
     beside = _beside(at.item, at.known)
     moves = any(map(at.known.moves, at.item.bare))
     law = at.stage.law(at.item, beside) if moves else None
-    found = solution_of(at.item, beside, law, at.known)
+    found, law = _solution(at, at.item, beside, law)
+    moves = law is not None
     levels = levels_in(found, at.item, at.known)
     found = found._replace(rows=tuple(dict.fromkeys((*found.rows, *levels.values()))))
     every = [found, *(_solved(at, one, beside) for one in beside if one is not at.item)]
@@ -83,7 +85,25 @@ def _solved(
 ) -> PrintedSolution:
     """The solution that a statement gives, of its own equations of motion."""
     law = at.stage.law(item, beside) if any(map(at.known.moves, item.bare)) else None
-    return solution_of(item, beside, law, at.known)
+    return _solution(at, item, beside, law)[0]
+
+
+def _solution(
+    at: RungMaker, item: SourceStatement, beside: Sequence[SourceStatement], law: Law | None
+) -> tuple[PrintedSolution, Law | None]:
+    """The solution that a statement gives, of the law, or of what is claimed for its rates alone.
+
+    So :math:`q=-1/t` solves an equation of the second order that follows from the law, where the
+    momentum is not given.
+    """
+    try:
+        return solution_of(item, beside, law, at.known), law
+    except ValueError:
+        if law is None:
+            raise
+        with suppress(ValueError):
+            return solution_of(item, beside, None, at.known), None
+        raise
 
 
 def _beginnings(

@@ -74,7 +74,9 @@ class Parts:
         for law in self.laws:
             if law.begins is not None:
                 own.append([])
-            own[-1].append(law)
+            at = law.first.typed.start
+            over = {k for k, laws in enumerate(own) if laws and (laws[0].ends or at + 1) <= at}
+            own[max({*range(len(own))} - over)].append(law)
         begins = [paper.prose.start, *(laws[0].begins or 0 for laws in own[1:])]
         self.begins = [*zip(begins, range(len(own)), strict=True)]
         ends = [(laws[0].ends, k) for k, laws in enumerate(own) if laws and laws[0].ends]

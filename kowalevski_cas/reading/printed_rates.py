@@ -260,14 +260,17 @@ class PrintedRates:
             rated = {name for row in own for name in self.scalars(row)}
             wanted = {name for row in own for name in self.names.scalars(row.names)}
             wanted -= {*self.names.scalars(self.momenta_of(rated).values())}
-            if rates_given(own, self.names) >= len(rated):  # else one stands on a right side only
+            if rates_given(own, self.names) >= len(self._unmoved(rated, apart)):
+                # else one stands on a right side only
                 wanted -= rated - {*self.names.scalars(only_squared(own))}
             more = self.following(own, wanted, apart, rows)
             if not more:
                 break
             own += more
         rated_names = {name for row in own for name in self.scalars(row)}
-        if rates_given(own, self.names) < len(rated_names) or only_squared(own):
+        new = self._unmoved(rated_names, apart)
+        squared = {*self.names.scalars(only_squared(own))}
+        if rates_given(own, self.names) < len(new) or squared - {*apart}:
             return None
         if rated_names & {*apart} and rates_given(own, self.names) > len(rated_names - {*apart}):
             return None  # what moves already would move in two ways
@@ -275,6 +278,17 @@ class PrintedRates:
         momenta = self.momenta_of(rated_names)
         own += rows_of_conjugates(self.paper, own)
         return Law(tuple(sorted(own, key=lambda row: row.order)), self.names, momenta=momenta)
+
+    def _unmoved(self, rated: set[str], apart: Collection[str]) -> set[str]:
+        """Some names of rates without those that move already, where nothing gives the others."""
+        given = {
+            one.bare[0]
+            for one in self.paper.items
+            if one.bare and one.members[0] == Name(one.bare[0])
+            and not (one.derives or "t" in one.names or any(map(is_numerical, one.members)))
+        }  # fmt: skip
+        new = rated - {*apart}
+        return new if new.isdisjoint(given) else rated
 
     def naming_rates(
         self,
@@ -412,7 +426,7 @@ def _is_wanted(
         case (Derivative(Name(name)), Name(value)) if not row.typed.inline:
             beside = [one for one in rows if one is not row and one.sentence == row.sentence]
             alone = all(name not in one.rates for one in rows if one is not row)
-            given = any(one.bare[:1] == (value,) for one in items if one is not row)
+            given = any(one.bare[:1] == (value,) and not one.derives for one in items)
             return alone and not given and any(name in one.names for one in beside)
     return False
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
@@ -52,7 +53,7 @@ def is_row(item: SourceStatement) -> bool:
     rates = (m.argument if isinstance(m, Negative) else m for m in others)
     if isinstance(first, Partial) and not any(isinstance(m, Derivative) for m in rates):
         return False  # it is a gradient that is computed
-    return not isinstance(first, Name) or _is_multiple(others[0])
+    return not isinstance(first, Name | Application) or _is_multiple(others[0])
 
 
 def is_by_own_bracket(item: SourceStatement) -> bool:
@@ -75,8 +76,10 @@ def _is_chain(members: Sequence[Formula]) -> bool:
 
 def _is_multiple(formula: Formula) -> bool:
     r"""Whether a formula is a rate with a factor, or over one, as in :math:`\dot a/a`."""
+    formula = formula.argument if isinstance(formula, Negative) else formula
     if isinstance(formula, Quotient) and not highest_order(formula.denominator):
         formula = formula.numerator
+    formula = formula.argument if isinstance(formula, Negative) else formula
     factors = formula.factors if isinstance(formula, Product) else (formula,)
     return sum(isinstance(factor, Derivative) for factor in factors) == 1
 

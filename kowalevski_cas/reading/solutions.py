@@ -28,6 +28,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, DEFINITION, LEVEL, Known, StatementRole
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.rows import is_row
@@ -254,9 +255,15 @@ def _rate_of(name: str, rows: Sequence[SourceStatement], given: Collection[str])
 def _printed_rows(
     item: SourceStatement, given: Collection[str], known: Known
 ) -> Iterator[SourceStatement]:
-    """The equations that are claimed before of the rates of what is given, and of nothing else."""
+    """The equations that are claimed before of the rates of what is given, and of nothing else.
+
+    What is said on a set, or for special constants that are others here, is not said of it.
+    """
+    here = known.supposed(item)
     for row in known.items:
         role = known.roles.get(row)
         if row.order < item.order and is_row(row) and role is not None and role.name == CLAIM:
+            if cue("on it", row.before) or not {*known.supposed(row)} <= {*here}:
+                continue
             if {*row.rates} <= {*given} and {*known.varying(row.names)} <= {*given}:
                 yield row

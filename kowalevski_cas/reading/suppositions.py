@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from kowalevski_cas.notation import (
+    Derivative,
     Formula,
     Name,
     Number,
@@ -490,10 +491,24 @@ def of_some_motions(item: SourceStatement, known: Known) -> StatementRole | None
     if Number(0) in item.members and item.typed.inline and (put := PUT.search(item.lead)):
         why = f"“{put[0].strip()}” supposes it of some motions"
         return StatementRole(ASSUMPTION, why, "set of the sentence")
+    if Number(0) in item.members and item.typed.inline and _is_listed_with_set(item, known):
+        return StatementRole(ASSUMPTION, "supposed with what stands before it", reach(item))
     said = _OF_SOME.search(_OF_ALL.sub("", item.before))
     if said is None or cue("then", said[0]) or cue("claim", said[0]):
         return None
     return StatementRole(OTHER, f"“{said[0].strip()}”: it is said of some motions", "asked")
+
+
+def _is_listed_with_set(item: SourceStatement, known: Known) -> bool:
+    r"""Whether a velocity vanishes in a list with the place where it does: “with q=0, dq/dt=0”."""
+    before = [one for one in known.of_sentence(item.sentence) if one.order == item.order - 1]
+    joined = any(one.typed is item.typed for one in before)
+    joined = joined or (bool(before) and item.lead.strip(" ,~") in ("", "and", "и"))
+    role = known.roles.get(before[0]) if joined else None
+    placed = role is not None and role.name == ASSUMPTION and role.kind.startswith("set")
+    still = [one for one in item.members if isinstance(one, Derivative)]
+    names = [one.argument.name for one in still if isinstance(one.argument, Name)]
+    return placed and names == [*before[0].bare[:1]] and known.moves(names[0])
 
 
 def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:

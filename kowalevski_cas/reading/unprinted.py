@@ -93,28 +93,40 @@ def implied_rows(paper: SourcePaper) -> Iterator[SourceStatement]:
     yield from _of_two_energies(paper)
 
 
-def hamiltonians_of_examples(
-    paper: SourcePaper,
-) -> Iterator[tuple[SourceStatement, list[SourceStatement]]]:
-    """The Hamiltonians that theorem-like parts of a paper give anew, with equations of motion.
+_IN_OTHER = re.compile(
+    r"\b(?:in|by|through)\s+(?:the\s+|these\s+|our\s+)?(?:\w+\s+){0,2}?(?:coordinates|variables)\b"
+    r"|\bв\s+(?:\w+\s+){0,3}?(?:координатах|переменных)\b",
+    re.IGNORECASE,
+)
+"""Words for other coordinates, in which a Hamiltonian is printed anew."""
 
-    They are in letters of their own, or each before has its example too.
+
+def hamiltonians_anew(
+    paper: SourcePaper,
+) -> Iterator[tuple[tuple[int, int], list[SourceStatement]]]:
+    """The Hamiltonians that parts of a paper give anew, with these parts and equations of motion.
+
+    In theorem-like parts they are in letters of their own, or each before has its example too;
+    other ones are in coordinates of which words speak, with momenta that stand nowhere before.
     """
     given = [one for one in paper.items if one.bare[:1] and one.bare[0] in HAMILTONIANS]
     heads = [one for one in given if len(one.members) == 2 and _canonical(one)]
     for item in heads:
-        if item.theorem is None or item.typed.inline or item in paper.approximate:
+        if item.typed.inline or item in paper.approximate:
             continue
-        begins, end = item.theorem
+        if item.theorem is None and not _is_in_new_momenta(item, paper):
+            continue
+        begins, end = item.theorem or (item.typed.start, item.section.end)
         before = [
             one for one in heads if one.bare[:1] == item.bare[:1] and one.typed.start < begins
         ]
         rows = (one for one in paper.items if one.typed.start < begins)
         met = {name for one in rows for name in one.rates}.union(*(one.names for one in before))
         apart = all(one.theorem for one in before) or met.isdisjoint(_canonical(item))
+        apart = apart or item.theorem is None
         within = (one for one in heads if begins <= one.typed.start < end)
         if (
-            not before
+            (not before and item.theorem is not None)
             or not apart
             or [*within] != [item]
             or not has_squares_of_momenta(item, paper)
@@ -125,12 +137,19 @@ def hamiltonians_of_examples(
         with suppress(ValueError, NotationError):
             found = [tex for tex in implied_equations(about) if not tex.startswith(BRACKET)]
             yield (
-                item,
+                (begins, end),
                 [
                     unprinted(paper, f"implied-{item.order}-{number}", tex, item)
                     for number, tex in enumerate(found, 1)
                 ],
             )
+
+
+def _is_in_new_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
+    """Whether words say that a Hamiltonian is in other coordinates, and its momenta are new."""
+    momenta = {*_canonical(item)[1::2]}
+    before = (one for one in paper.items if one.order < item.order)
+    return bool(_IN_OTHER.search(item.before)) and all(momenta.isdisjoint(o.names) for o in before)
 
 
 def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:
