@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.notation.symbol import name_of_rate, rate_name
 from kowalevski_cas.problem.space import Meaningless
 
@@ -18,13 +18,19 @@ def velocities(
     vectors: Mapping[str, tuple[str, ...]],
     given: Mapping[str, Formula],
 ) -> dict[str, str]:
-    """The variables of which equations print higher derivatives, and those derivatives' names.
+    r"""The variables of which equations print higher derivatives, and those derivatives' names.
 
-    What is ``given`` by a formula is derived as often as the names in this are.
+    What is ``given`` by a formula is derived as often as the names in this are. Of what moves by an
+    equation for a lower derivative, higher ones are those of that: by :math:`\dot\nu=f(\nu)`
+    the second derivative is none of its own.
     """
     found: dict[str, str] = {}
+    least: dict[str, int] = {}
+    for name, order in _explicit(equations):
+        least[name] = min(order, least.get(name, order))
     for equation in equations:
         for name, order in orders(equation, given=given):
+            order = min(order, least.get(name, order))
             for variable in vectors.get(name, (name,)):
                 rate = variable
                 if variable in variables and order > MOST:
@@ -33,6 +39,22 @@ def velocities(
                     # targets are assigned from left to right: the key is still the name before
                     found[rate] = rate = rate_name(rate)
     return found
+
+
+def _explicit(equations: Sequence[Formula]) -> Iterator[tuple[str, int]]:
+    """The names of which an equation gives a derivative alone, by none of it, with its order."""
+    for equation in equations:
+        match equation:
+            case Relation((Derivative() as left, right)):
+                inner: Formula = left
+                order = 0
+                while isinstance(inner, Derivative):
+                    inner, order = inner.argument, order + 1
+                rates = (node for node in right.nodes() if isinstance(node, Derivative))
+                if isinstance(inner, Name) and inner.name not in {
+                    n for r in rates for n in r.names()
+                }:
+                    yield inner.name, order
 
 
 def orders(

@@ -94,6 +94,7 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
     yield from distances(known, suffix)
     yield from _components(known, suffix)
     yield from levels_apart(known, suffix)
+    yield from _other_variable(known, suffix)
     yield from values_in_words(known)
     yield from brackets_by_functions(known, suffix)
     yield from brackets_by_momenta(known, suffix)
@@ -109,6 +110,23 @@ def conventions(known: Known, suffix: str = "") -> Iterator[tuple[SourceStatemen
             unprinted(paper, f"unit{suffix}", "i^2=-1"),
             StatementRole(CONVENTION, "the imaginary unit", "unit"),
         )
+
+
+_TIMES = (r"\tau", "s", r"\xi", r"\eta")
+
+
+def _other_variable(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
+    r"""What moves as another time, by which primes derive: :math:`d\tau=\dot\nu\,dt` for ν."""
+    letter, start = known.paper.primed_by
+    names = known.paper.words.scalars | known.times
+    time = next((one for one in _TIMES if one not in names), "")
+    before = [one for one in known.items if one.typed.start <= start]
+    if not (letter and time and before and known.varies(letter)):
+        return
+    tex = rf"d{time}=\dot{{{letter}}}\,dt"
+    name = re.sub(r"\W+", "-", f"by-{letter}{suffix}")
+    why = f"primes derive by {letter}, as words say"
+    yield unprinted(known.paper, name, tex, before[-1]), StatementRole(CONVENTION, why, "clock")
 
 
 _UNIT = re.compile(

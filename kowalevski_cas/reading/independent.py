@@ -23,7 +23,6 @@ _TOKEN = re.compile(
 )
 _DOT = re.compile(r"\\d{1,4}ot(?![A-Za-z])")
 _PRIME = re.compile(r"'|\\prime")
-_PARTIAL = re.compile(r"\\partial(?![A-Za-z])|\\(?:Delta|nabla)(?![A-Za-z])")
 _BY_PRIME = re.compile(
     rf"\b(?:primes?|dash(?:es)?)\b[^.§]{{0,30}}?\b{DERIVATIVE}s?{BY}§"
     rf"|\b{DERIVATIVE}s?{BY}§[^.§]{{0,40}}?\b(?:primes?|dash(?:es)?)\b"
@@ -43,6 +42,18 @@ _OF = re.compile(
     rf"{LABEL}(?P<name>{LETTER})\s*(?:=\s*(?P=name)\s*)?\(\s*(?P<by>\\?[A-Za-z]+)\s*\)[\s.,;]*"
 )
 """What is a function of something: :math:`u=u(x)`."""
+_IS = re.compile(r"\s*(?P<by>\\[A-Za-z]+|[A-Za-z])\s*=")
+_BY_TIME = re.compile(r"\}\s*\{\s*(?:d|\\mathrm\s*\{?\s*d\s*\}?)\s*t\s*(?:\^\s*\d\s*)?\}")
+_VARIABLE = r"(?:(?:the|a|an|our|new|as)\s+)*(?:new\s+)?independent\s+variable"
+_AS_VARIABLE = re.compile(
+    rf"\b(?:tak\w+|choos\w+|us\w+|introduc\w+|regard\w+|consider\w+|with|pass\w*|go\w*|let)\s+"
+    rf"(?:(?:the|to)\s+)?(?:\w+\s+){{0,3}}?(?:{_VARIABLE}\s+)?§\s+(?:as|for|be|to\s+be)\s+{_VARIABLE}"
+    rf"|{_VARIABLE}\s+§"
+    r"|\b(?:прин\w+|взяв|возьм[её]м|бер[её]м|выбер\w+)\s+§\s+(?:за|в\s+качестве)\s+(?:нов\w+\s+)?независим\w+\s+переменн\w+"
+    r"|\bнезависим\w+\s+переменн\w+\s+§",
+    re.IGNORECASE,
+)
+"""How words say that something is the independent variable from there on."""
 _ALONE = re.compile(r"\s*(?P<by>\\[A-Za-z]+|[A-Za-z])[\s.,;]*")
 TIME = "t"
 
@@ -69,8 +80,7 @@ def independent_variable(formulas: Sequence[TypedFormula], text: str) -> str:
     if letter == TIME:
         return TIME if said else ""
     timed = any(TIME in _TOKEN.findall(tex) for tex in texts)
-    partial = any(map(_PARTIAL.search, texts))
-    return "" if timed or partial or any(_is_other(tex, letter) for tex in texts) else letter
+    return "" if timed or any(_is_other(tex, letter) for tex in texts) else letter
 
 
 def with_time(formulas: Sequence[TypedFormula], letter: str) -> Iterator[TypedFormula]:
@@ -82,19 +92,38 @@ def with_time(formulas: Sequence[TypedFormula], letter: str) -> Iterator[TypedFo
         yield formula if tex == formula.tex else replace(formula, tex=tex)
 
 
+def other_variable(formulas: Sequence[TypedFormula], text: str) -> tuple[str, int]:
+    """The letter by which primes derive beside dots, as words say, and where; none if they do not.
+
+    Where they say so of several letters it is none of them.
+    """
+    texts = [one.tex for one in formulas]
+    timed = any(_DOT.search(tex) or _BY_TIME.search(tex) for tex in texts)
+    said = [*_said_at(formulas, text)] if timed and any(map(_PRIME.search, texts)) else []
+    letters = {letter for letter, _ in said}
+    return said[0] if len(letters) == 1 and TIME not in letters else ("", 0)
+
+
 def _said(formulas: Sequence[TypedFormula], text: str) -> Iterator[str]:
     """The letters by which primes derive, as words say."""
+    yield from (letter for letter, _ in _said_at(formulas, text))
+
+
+def _said_at(formulas: Sequence[TypedFormula], text: str) -> Iterator[tuple[str, int]]:
+    """The letters by which primes derive, as words say, each with the place."""
     for place, one in enumerate(formulas):
         if (mark := _MARK.fullmatch(one.tex)) and _DOT.search(one.tex) is None:
-            yield by_of(mark)
-        found = _ALONE.fullmatch(one.tex) if one.inline else None
+            yield by_of(mark), one.start
+        found = (_ALONE.fullmatch(one.tex) or _IS.match(one.tex)) if one.inline else None
         if found is None:
             continue
         before = formulas[place - 1].end if place else 0
         behind = formulas[place + 1].start if place + 1 < len(formulas) else len(text)
-        around = f"{text[before : one.start]} § {text[one.end : min(behind, one.end + 80)]}"
-        if _BY_PRIME.search(" ".join(re.sub(r"[$\\()~]", " ", around).split())):
-            yield found["by"]
+        around = f"{text[before : one.start]} § {text[one.end : min(behind, one.end + 160)]}"
+        around = " ".join(re.sub(r"[$\\()~]", " ", around).split())
+        alone = _ALONE.fullmatch(one.tex) is not None
+        if (alone and _BY_PRIME.search(around)) or _AS_VARIABLE.search(around):
+            yield found["by"], one.start
 
 
 def _arguments(texts: Sequence[str]) -> set[str]:
@@ -116,8 +145,9 @@ def _is_other(tex: str, letter: str) -> bool:
     own = re.escape(letter)
     rated = rf"(?<![A-Za-z\\]){own}\s*(?:'|\^\s*\{{?\s*\\prime|\()"
     below = rf"_\s*(?:{own}(?![A-Za-z])|\{{[^{{}}]*{own}(?![A-Za-z])[^{{}}]*\}})"
+    partial = rf"\\partial\s*_?\s*\{{?\s*{own}(?![A-Za-z])|\\nabla(?![A-Za-z])"
     above = rf"(?<![A-Za-z\\])d(?:\s*\^\s*\d)?\s*{own}\s*(?:\}}\s*\{{|/)"
-    return any(re.search(one, tex) is not None for one in (rated, below, above))
+    return any(re.search(one, tex) is not None for one in (rated, below, partial, above))
 
 
 def _renamed(tex: str, letter: str) -> str:

@@ -43,10 +43,11 @@ from kowalevski_cas.reading.free_functions import (
     told_since,
     with_names_alone,
 )
-from kowalevski_cas.reading.independent import independent_variable, with_time
+from kowalevski_cas.reading.independent import independent_variable, other_variable, with_time
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.links import with_links
+from kowalevski_cas.reading.logarithms import with_exponentials
 from kowalevski_cas.reading.named_sets import without_set_names
 from kowalevski_cas.reading.numbers import numbers_of
 from kowalevski_cas.reading.operators import with_operators
@@ -216,6 +217,8 @@ class SourcePaper:
     """Where the section begins that first makes a name a function of the time, by the names."""
     primed_by_time: bool = False
     """Whether it is known that primes derive by the time."""
+    primed_by: tuple[str, int] = ("", 0)
+    """Another letter by which primes derive, as words say, and where they do."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -339,8 +342,9 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
     typed = [*with_operators([*with_bars(typed, expanded.text)], expanded.text)]
     variable = independent_variable(typed, expanded.text)
+    other = other_variable(typed, expanded.text)
     typed = [*with_time(typed, variable)]
-    typed = [*with_own_names(typed)]
+    typed = [*with_exponentials([*with_own_names(typed)])]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     named = [*without_set_names(typed)]
     printed = [formula for formula, _ in named]
@@ -406,7 +410,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
         {formula.start: name for formula, name in named if name}, functions, orbits,
-        numbers, frozenset(several), since, bool(variable),
+        numbers, frozenset(several), since, bool(variable), other,
     )  # fmt: skip
 
 

@@ -67,3 +67,37 @@ def test_four_derivatives_are_read(value, green):
     law += rf"The quantity \[ I=\dot y\dddot y-\frac12\ddot y^2+{value}y^2 \] is an integral."
     found = [*verdicts(law).values()]
     assert found == [Verdict.PROVED if green else Verdict.REFUTED]
+
+
+KEPLER = r"""The equations are \[ \ddot r-r\dot\varphi^2=-\frac{\mu}{r^2},\qquad
+r\ddot\varphi+2\dot r\dot\varphi=0 . \] Let $u=1/r$ and $h=r^2\dot\varphi$. """
+BELETSKY = r"""The equations of motion are \[ \dot\nu=k(1+e\cos\nu)^2,\qquad
+\ddot\theta+\ddot\nu+\frac{\mu\dot\nu^2}{1+e\cos\nu}\sin\theta\cos\theta=0 . \] """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Taking $\varphi$ as the independent variable we obtain",
+        r"Let a prime denote the derivative with respect to $\varphi$. Then",
+        r"Обозначим штрихом производную по $\varphi$. Тогда",
+    ],
+)
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_what_moves_may_be_it_beside_the_time(words, sign, green):
+    found = verdicts(KEPLER + words + rf" \[ u''{sign}u=\frac{{\mu}}{{h^2}} . \]")
+    assert [one.green for one in found.values()] == [green]
+
+
+@pytest.mark.parametrize(("factor", "green"), [("2", True), ("", False)])
+def test_an_angle_that_is_given_by_its_rate_may_be_it(factor, green):
+    words = (
+        r"Take $\nu$ as the independent variable and denote by a prime the derivative by $\nu$. "
+    )
+    claim = rf"(1+e\cos\nu)\theta''-{factor}e\sin\nu\,\theta'+\mu\sin\theta\cos\theta=2e\sin\nu"
+    found = verdicts(BELETSKY + words + rf"Then \[ {claim} . \]")
+    assert [one.green for one in found.values()] == [green]
+
+
+def test_beside_dots_primes_derive_by_what_words_say_alone():
+    assert not verdicts(KEPLER + r"Then \[ u''+u=\frac{\mu}{h^2} . \]")
