@@ -178,12 +178,6 @@ class ReadingSession:
             if found[claim.id].verdict.green
             for place in (self.claiming[claim.id].item.printed, *claim.establishes())
         }
-        proved |= {
-            place
-            for id, formula in self.claiming.items()
-            if found[id].verdict.green and isinstance(formula.claim, RestPoints)
-            for place in formula.claim.places()
-        }  # equations of one point are one claim
         unproved = {
             formula.item.printed: formula.role.kind
             for formula in self.reading.formulas
