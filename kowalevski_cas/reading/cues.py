@@ -418,6 +418,10 @@ CUES: dict[str, str] = {
         \bin\s+the\s+(?:\w+\s+)?case(?:\s+(?:of|when))?\s*$
         \bunder\s+the\s+conditions?\s*$ \bon\s+condition\s+that\s*$
         (?:если|когда|при(?:\s+\w+)?|в\s+случае|при\s+условии)\s*$""",
+    "either": r"""
+        \beither\b(?!\s+(?:of|sign|case|direction|way)\b)[^.;:§]*$
+        \beither\b(?!\s+(?:of|sign|case|direction|way)\b)[^.;:§]*(?:§[^.;:§]*\bor\b[^.;:§]*)+$
+        \bлибо\b[^.;:§]*$ \bentweder\b[^.;:§]*$ \bentweder\b[^.;:§]*§[^.;:§]*\boder\b[^.;:§]*$""",
     "only if": r"""
         \b(?:only|exactly|precisely|solely)\s+(?:if|when(?:ever)?|for|in\s+the\s+(?:\w+\s+)?case)\b
         \biff\b

@@ -122,7 +122,7 @@ Rule = Callable[[SourceStatement, Known], StatementRole | None]
 def role_of(item: SourceStatement, known: Known) -> StatementRole:
     """What a statement is: what a comment says, or the first rule that says something."""
     inferred = next(role for rule in RULES if (role := rule(item, known)) is not None)
-    if inferred.name == CLAIM and (said := _says_else(item, known)):
+    if inferred.name == CLAIM and (said := _says_else(item, inferred, known)):
         inferred = StatementRole(OTHER, said, MORE)
     prints = is_row(item) and any(map(known.moves, item.rates))
     own = inferred.name != CLAIM or inferred.kind in (*OF_LINEAR_PART, "approximate")
@@ -137,10 +137,12 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     return inferred if found is None else said_role(found, item, inferred, known)
 
 
-def _says_else(item: SourceStatement, known: Known) -> str:
+def _says_else(item: SourceStatement, inferred: StatementRole, known: Known) -> str:
     """Why a claim is one of means, of several cases, or of what is free of the time and has it."""
     if said := in_several_cases(item, known):
         return f"“{said}” supposes several values of a constant"
+    if (said := cue("either", item.before)) and inferred.kind != "rest":
+        return f"“{said.split()[0]}” leaves open whether it is this"
     timed = any(known.times & known.below(name) for name in item.names)
     words = said_of(item)
     said = cue("only if", words) or cue("in the mean", words)

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.audit.test_doubted import audited
+from tests.reading.test_reading import reading
 from tests.sample import sampled
 
 EULER = r"Consider the equations $\dot p=(b-c)qr$, $\dot q=(c-a)rp$, $\dot r=(a-b)pq$. "
@@ -130,3 +131,17 @@ def test_what_cannot_be_neglected_is_there():
     for words in ("Friction cannot be neglected.", r"It holds.\footnote{We neglect friction.}"):
         found = audited(DAMPED + words + r" But $\dot x^2+x^2$ is constant.")
         assert any(one.verdict == "refuted" for one in found.formulas)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Either $p^2+q^2+r^2$ or $p^2+q^2$ is an integral.",
+        r"Hence either $p=0$, or $p^2+q^2=1$.",
+        r"Поэтому либо $\dot p=q^2$, либо $\dot q=0$.",
+    ],
+)
+def test_what_words_leave_open_is_not_judged(text):
+    euler = r"Consider $\dot p=(b-c)qr$, $\dot q=(c-a)rp$, $\dot r=(a-b)pq$. "
+    found = reading(euler + text)
+    assert not [one for one in found.formulas if one.claim is not None]
