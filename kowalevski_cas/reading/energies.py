@@ -13,7 +13,7 @@ from contextlib import suppress
 
 from kowalevski_cas.notation import Application, Derivative, Name
 from kowalevski_cas.notation.functions import FUNCTIONS
-from kowalevski_cas.paper.claims import FirstIntegral, Identity
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.implied import (
     HAMILTONIANS,
@@ -27,6 +27,7 @@ from kowalevski_cas.reading.in_words import InWords
 from kowalevski_cas.reading.known import DEFINITION, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.laws import is_of_second_order
+from kowalevski_cas.reading.momenta_of_energies import is_lagrangian
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.polar import ANGLES
 from kowalevski_cas.reading.rows import is_of_motion
@@ -73,6 +74,7 @@ def claims_of_energies(parts: Parts) -> Iterator[InWords]:
             yield from _of_potential(potential, laws[0], parts)
         if all(map(_is_acceleration, laws[0].rows)):
             yield from _of_total(laws[0], known)
+        yield from _of_momenta(laws[0], known, parts)
 
 
 _SPECIAL = re.compile(
@@ -224,6 +226,53 @@ def _of_total(law: Law, known: Known) -> Iterator[InWords]:
         span, says = (item.typed.start, item.typed.end), "this is constant along every motion"
         value: dict[str, object] = {"printed": item.printed}
         yield InWords(span, FirstIntegral, (item,), value, OF_ENERGY, says, item, law, Doubt.ALWAYS)
+
+
+def _of_momenta(law: Law, known: Known, parts: Parts) -> Iterator[InWords]:
+    r"""That a Hamiltonian is the one of its law, where momenta in it are given by velocities.
+
+    Behind a Lagrangian it is :math:`\sum\dot x\,\partial L/\partial\dot x-L`; else it is constant.
+    """
+    lagrangians = [one for one in known.items if is_lagrangian(one, known)]
+    for item in known.items:
+        called = cue("hamiltonian", item.lead) or _CALLED.match(item.tail)
+        named = item.bare[:1] and item.bare[0] in HAMILTONIANS
+        if not (called and named) or known.roles[item].name != DEFINITION or item.derives:
+            continue
+        given = any(map(known.has_velocities, item.names - {*item.bare}))
+        below = {inner for name in item.names for inner in known.below(name)}
+        before = [one for one in lagrangians if one.order < item.order]
+        defining = [one for name in law.mentions for one in known.definitions.get(name, ())]
+        more = _have_more((item, *before, *defining), law, known)
+        if not given or "t" in below or len(before) > 1 or more:
+            continue
+        kind: type[Claim] = Identity if before else FirstIntegral
+        own = _of_lagrangian(item, before[0], parts) if before else item
+        says = _LEGENDRE if before else "this is constant along every motion"
+        doubt = Doubt.UNLESS_MENDED if before else Doubt.ALWAYS
+        if not before and not all(map(_is_acceleration, law.rows)):
+            continue
+        span, value = (item.typed.start, item.typed.end), dict[str, object](printed=own.printed)
+        yield InWords(span, kind, (own,), value, OF_ENERGY, says, item, law, doubt)
+
+
+_LEGENDRE = "this is the Hamiltonian of the Lagrangian"
+
+
+def _of_lagrangian(
+    item: SourceStatement, lagrangian: SourceStatement, parts: Parts
+) -> SourceStatement:
+    """The equation of the Hamiltonian of a Lagrangian, which the paper does not print."""
+    letter = lagrangian.bare[0]
+    moving = parts.of(item).names.scalars(lagrangian.rates)
+    terms = (
+        rf"\dot{{{x}}}\frac{{\partial {letter}}}{{\partial \dot{{{x}}}}}"
+        for x in dict.fromkeys(moving)
+    )
+    tex = f"{item.bare[0]}={'+'.join(terms)}-{letter}"
+    found = unprinted(parts.paper, f"of-lagrangian-{item.order}", tex, item, "the Lagrangian")
+    parts.places[found] = parts.places[item]
+    return found
 
 
 def _of_two(

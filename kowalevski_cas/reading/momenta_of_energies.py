@@ -56,7 +56,7 @@ def _by_velocity(item: SourceStatement, known: Known) -> str:
 
     Without an index it is the only one; empty if there is none, or more than one Lagrangian.
     """
-    given = [one for one in known.items if one.order < item.order and _is_lagrangian(one, known)]
+    given = [one for one in known.items if one.order < item.order and is_lagrangian(one, known)]
     parts = symbol(item.bare[0])
     if len(given) != 1:
         return ""
@@ -90,7 +90,7 @@ def _by_change(item: SourceStatement, known: Known) -> str:
     return ""
 
 
-def _is_lagrangian(item: SourceStatement, known: Known) -> bool:
+def is_lagrangian(item: SourceStatement, known: Known) -> bool:
     """Whether a definition gives the letter of a Lagrangian by squares of velocities."""
     role = known.roles.get(item)
     if role is None or role.name != DEFINITION or not item.bare or len(item.members) != 2:

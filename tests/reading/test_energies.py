@@ -346,3 +346,41 @@ def test_what_has_more_is_not_compared(text):
 def test_of_a_letter_that_no_words_call_so_nothing_is_red():
     [first, _] = ends(LAGRANGIAN.replace("The Lagrangian is", "Here is") % "-c(u-v)")
     assert first.verdict is Verdict.UNDECIDED
+
+
+BEAD = r"A bead moves with the Lagrangian \[L=\frac12m\dot x^2-\frac12kx^2.\] "
+PLANE = r"The Lagrangian is \[L=\frac12m(\dot r^2+r^2\dot\varphi^2)-U(r).\] "
+WELL = (
+    r"A particle moves by \[\ddot x=-\frac{\partial U}{\partial x},\qquad"
+    r" \ddot y=-\frac{\partial U}{\partial y},\qquad U=\frac12(x^2+4y^2).\] "
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (
+            BEAD + r"The momentum is $p=m\dot x$, and the Hamiltonian is \[H=%skx^2.\]",
+            r"\frac{p^2}{2m}+\frac12",
+            [r"\frac{p^2}{2m}-\frac12", r"\frac{p^2}{m}+"],
+        ),
+        (
+            PLANE + r"The momenta are $p_r=m\dot r$, $p_\varphi=mr^2\dot\varphi$. The Hamiltonian"
+            r" reads \[H=\frac{1}{2m}\left(p_r^2+%s\right)+U(r).\]",
+            r"\frac{p_\varphi^2}{r^2}",
+            [r"\frac{p_\varphi^2}{r}"],
+        ),
+        (
+            WELL + r"With $p_x=\dot x$, $p_y=\dot y$ the Hamiltonian is"
+            r" $H=\frac12(p_x^2+p_y^2)+\frac12x^2+%sy^2$.",
+            "2",
+            ["", "-2"],
+        ),
+    ],
+)
+def test_a_hamiltonian_in_momenta_is_the_one_of_its_law(text, right, wrong):
+    *_, last = ends(text % right)
+    assert last.verdict.green
+    for other in wrong:
+        *_, last = ends(text % other)
+        assert not last.verdict.green
