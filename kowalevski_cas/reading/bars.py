@@ -16,8 +16,11 @@ _GIVES = re.compile(
     r"(?P<value>(?:(?!\\\\|\\q?quad)[^=,;])+)"
 )
 _FIRST = re.compile(rf"\s*(?:\\label\s*\{{[^{{}}]*\}}\s*)?&?\s*{_BARRED}\s*&?\s*=")
-_RUN = re.compile(r"_\s*(?:\{[^{}]*\}|\w)|\\[A-Za-z]+(?:\s*\{\s*i\s*\})?|[A-Za-z]")
-"""An index, a macro, or a letter: i alone is the imaginary unit."""
+_RUN = re.compile(
+    r"\\(?:label|tag|(?:eq)?ref|begin|end|text|mbox|operatorname)\s*\{[^{}]*\}|\bi\s*="
+    r"|_\s*(?:\{[^{}]*\}|\w)|\\[A-Za-z]+(?:\s*\{\s*i\s*\})?|[A-Za-z]"
+)
+"""Words, an index, a macro, or a letter: i alone is the imaginary unit."""
 _COMPLEX = re.compile(
     r"\b(?:complex|conjugate\s+(?:of|to|function|number|quantit)\w*|holomorphic|комплексн\w*|сопряж[её]нн\w+\s+(?:к|функци|числ|величин)\w*)",
     re.IGNORECASE,

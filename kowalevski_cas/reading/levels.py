@@ -16,7 +16,7 @@ from kowalevski_cas.reading.unprinted import unprinted
 def level(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation with one new name as a term by itself, which words call an integral.
 
-    Or the first of several in a sentence that have this name, as where variables are separated.
+    Or the first of several in a paragraph that have this name, as where variables are separated.
     """
     names = [name for name, _ in _apart(item, known)]
     if len(names) != 1 or not _is_of_state(item, known):
@@ -34,13 +34,12 @@ def level(item: SourceStatement, known: Known) -> StatementRole | None:
 
 
 def _separates(item: SourceStatement, name: str, known: Known) -> bool:
-    """Whether others in its sentence are equations of motions with the same new constant."""
+    """Whether others behind it in its paragraph are equations of motions with the same constant."""
     given = known.later.get(name, ())
     if given and not any(known.varying(one.names - {name}) for one in given):
         return False  # it stands for constants
-    having = [
-        one for one in known.paper.items if one.sentence == item.sentence if name in one.names
-    ]
+    here = (one for one in known.paper.items if one.section is item.section)
+    having = [one for one in here if one.paragraph == item.paragraph and name in one.names]
     beside = [one for one in having if one.formula != Name(name)]
     of_motion = (one.members and one.derives and known.varying(one.names) for one in beside)
     return len(beside) > 1 and all(of_motion) and not any(name in one.bare for one in beside)

@@ -536,8 +536,9 @@ def of_levels(item: SourceStatement, known: Known) -> StatementRole | None:
     ):
         return None
     said = supposing(item)
-    behind = f"{item.lead.rpartition(said)[2]} "
-    if not said or first.name in other.names() or cue("claim", behind):
+    if not said or first.name in other.names():
+        return None
+    if cue("claim", f"{item.lead.rpartition(said)[2]} "):
         return None
     why = f"“{said}” supposes it of the value of an integral"
     kind = "set in force" if cue("lasting", f"{joined_lead(item)} ") else "set of the sentence"
