@@ -40,7 +40,7 @@ from kowalevski_cas.notation import (
     edits,
     to_latex,
 )
-from kowalevski_cas.paper.claims import Claim, OfMap, RestPoint, RestPoints, Union
+from kowalevski_cas.paper.claims import Claim, OfMap, Period, RestPoint, RestPoints, Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each
@@ -486,6 +486,7 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     kinds = {(f.item.sentence, f.role.kind) for f in judged if f.span is None}
     rests = [f for f in judged if isinstance(f.claim, RestPoint | RestPoints)]
     kinds |= {(f.item.sentence, "rest") for f in rests}
+    kinds |= {(f.item.sentence, "period") for f in judged if isinstance(f.claim, Period)}
     of_maps = (f for f in judged if f.role.kind == "integral" and isinstance(f.claim, OfMap))
     kinds |= {(f.item.sentence, "invariant") for f in of_maps}
     kinds |= {

@@ -48,7 +48,8 @@ def test_a_conjugate_is_one_still(function, green):
 def test_images_may_be_printed_with_an_accent(accent, k):
     image = accent + " "
     text = (
-        rf"Consider the map \begin{{equation}}\label{{fix}}{image}x=y,\qquad {image}y=-x+\frac{{2ay}}{{1+y^2}}.\end{{equation}}"
+        rf"Consider the map \begin{{equation}}\label{{fix}}"
+        rf"{image}x=y,\qquad {image}y=-x+\frac{{2ay}}{{1+y^2}}.\end{{equation}}"
         rf" The function $I=x^2+y^2+x^2y^2-{k}axy$ is an integral."
     )
     (verdict,) = verdicts(text).values()

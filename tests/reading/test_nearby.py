@@ -2,8 +2,9 @@
 
 import pytest
 
+from kowalevski_cas.audit.reading import uncovered
 from kowalevski_cas.verify.outcome import Verdict
-from tests.reading.test_reading import verdicts
+from tests.reading.test_reading import reading, verdicts
 
 GREEN = (Verdict.PROVED, Verdict.CONDITIONAL)
 EULER = r"Consider Euler's equations \[\dot p=(b-c)qr,\quad\dot q=(c-a)rp,\quad\dot r=(a-b)pq.\] "
@@ -128,3 +129,11 @@ RUSSIAN = PENDULUM.replace("A pendulum moves by", "Рассмотрим урав
 def test_frequencies_and_periods_of_small_oscillations(text, right, wrong):
     assert [*verdicts(text % right).values()][-1] in GREEN
     assert [*verdicts(text % wrong).values()][-1] not in GREEN
+
+
+def test_a_period_that_is_judged_is_not_told_besides():
+    text = PENDULUM + r"The period of small oscillations about $\theta=0$ is $T=%s$."
+    judged = reading(text % r"2\pi\sqrt{\frac{l}{g-lw^2}}")
+    assert not [one for one in uncovered(judged) if "period" in one.kind]
+    longer = PENDULUM + r"The period of the oscillations is $T=2\pi\sqrt{\frac lg}$."
+    assert [one for one in uncovered(reading(longer)) if "period" in one.kind]
