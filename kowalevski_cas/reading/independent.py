@@ -68,9 +68,12 @@ def independent_variable(formulas: Sequence[TypedFormula], text: str) -> str:
     texts = [one.tex for one in formulas if not _MARK.fullmatch(one.tex)]
     if any(_DOT.search(tex) for tex in texts):
         return ""
-    ratios = {by_of(one) for tex in texts for one in RATIO_BY.finditer(tex)}
     primed = any(map(_PRIME.search, texts))
     said = {*_said(formulas, text)} if primed else set()
+    rows = [one for tex in texts for one in RATIO_BY.finditer(tex)]
+    ratios = {by_of(one) for one in rows}
+    if ratios and not said and not any(_is_moved(one, texts, primed) for one in rows):
+        return ""
     letters = ratios | (said or (_arguments(texts) if primed else set()))
     if not letters and any(_PRIME.search(tex) and TIME in _TOKEN.findall(tex) for tex in texts):
         return TIME  # what has primes has the time
@@ -81,6 +84,30 @@ def independent_variable(formulas: Sequence[TypedFormula], text: str) -> str:
         return TIME if said else ""
     timed = any(TIME in _TOKEN.findall(tex) for tex in texts)
     return "" if timed or any(_is_other(tex, letter) for tex in texts) else letter
+
+
+_NUMERATOR = re.compile(r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)(?:\s*\^\s*\d)?\s*(?P<name>\S.*?)\s*$")
+_RAISED = re.compile(r"\s*(?:\}|\\right|\\[bB]igg?r?)?\s*\)\s*\^")
+
+
+def _is_moved(ratio: re.Match[str], texts: Sequence[str], primed: bool) -> bool:
+    """Whether a derivative may be one of what moves: no formula before gives what is derived.
+
+    Where primes are printed it has some, and it is no square, as in the equation of Hamilton and
+    Jacobi.
+    """
+    found = _NUMERATOR.search(ratio.string[: ratio.start()].rpartition("{")[2])
+    name = found["name"] if found else ""
+    if _RAISED.match(ratio.string, ratio.end()):
+        return False
+    if not name:  # of something in brackets
+        return not primed
+    before = texts[: texts.index(ratio.string)]
+    gives = re.compile(
+        rf"\s*(?:\\label\s*\{{[^{{}}]*\}}\s*)?{re.escape(name)}\s*(?:\([^()]*\)\s*)?&?="
+    )
+    given = any(map(gives.match, before))
+    return not given and (not primed or any(_has_primes(tex, name) for tex in texts))
 
 
 def with_time(formulas: Sequence[TypedFormula], letter: str) -> Iterator[TypedFormula]:

@@ -136,6 +136,10 @@ _SETS_UP = re.compile(
     re.IGNORECASE,
 )
 """Words of a sentence that begins with equations of motion."""
+_SUBSTITUTES = re.compile(
+    r"\b(?:substitution|change|transformation|подстановк\w+|замен\w+)\b[^§]*$", re.IGNORECASE
+)
+"""Words for what is put in the place of something."""
 
 
 class _LawFinder(PrintedRates):
@@ -250,7 +254,11 @@ class _LawFinder(PrintedRates):
         given = {*self.names.scalars(item.bare[:1])}
         new = {*self.scalars(item)} - moving
         velocities = all(order == 1 for order in item.rates.values())
-        return bool(given) and given <= moving and bool(new) and velocities
+        deduced = cue("deduced", item.lead) and not _SUBSTITUTES.search(item.lead)
+        if deduced or not (given and given <= moving and new and velocities):
+            return False
+        before = (one for one in self.paper.items if one.order < item.order and one.members)
+        return all(new.isdisjoint(self.names.scalars(one.names)) for one in before)
 
     def fuller(self, item: SourceStatement, moving: set[str]) -> Law | None:
         r"""A closed display that words call a system, for all that moved and more: the law then.

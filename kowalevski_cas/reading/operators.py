@@ -46,6 +46,8 @@ _SAID = re.compile(
     re.IGNORECASE,
 )
 """What words say behind the letter of an operator; a mark is the formula behind them."""
+_OF_SOMETHING = re.compile(r"[\s$~)\\]*(?:of|от|von|de)\b")
+"""How words go on that say of what something is the derivative: it is no operator."""
 _STANDS_FOR = re.compile(
     r"[\s,~]*(?:(?:denotes?|stands\s+for|is|means|for|instead\s+of|abbreviates"
     r"|(?:in|for)\s+place\s+of|[-—–]+|есть|вместо|означает|обозначает)\s*)?"
@@ -71,6 +73,10 @@ _POWER = re.compile(r"\s*\^\s*(?:(\d)|\{\s*(\d+)\s*\})")
 _RUNS_ON = re.compile(
     r"\s*(?:\^|[A-Za-z(\[]|\\(?!q?quad|[,;:! \\]|[a-z]*eq|[lg]e|cdot|[lr]ight|[bB]ig|end)[A-Za-z])"
 )
+_ENDS = re.compile(
+    r"\s*(?:\^\s*(?:\d|\{\s*\d+\s*\})\s*)?(?:$|[=+\-,;)}/]|\\(?:q?quad|cdot|right|le|ge|\\)(?![A-Za-z]))"
+)
+"""What stands behind a quantity: nothing on which it acts."""
 _ROW = re.compile(rf"(?P<letter>(?:\\partial|d|D)_(?:t|\{{t\}}))\s*(?P<of>{_NAME})\s*&?\s*=")
 _OTHERS = re.compile(r"\\d{1,4}ot(?![A-Za-z])|\\partial(?!_(?:t|\{t\}))|'")
 _AROUND = 90
@@ -85,7 +91,12 @@ def with_operators(formulas: Sequence[TypedFormula], text: str) -> Iterator[Type
     respect to t”; without words :math:`\partial_tx=y` are equations of motion where no other
     derivative is printed. A letter that another formula gives is no operator.
     """
-    letters = {**_rated(formulas), **dict(_said(formulas, text))}
+    said = {
+        letter: by
+        for letter, by in _said(formulas, text)
+        if not any(_is_quantity(one.tex, letter) for one in formulas)
+    }
+    letters = {**_rated(formulas), **said}
     given = [found for one in formulas if (found := _DEFINED.match(one.tex))]
     other = {_plain(one["letter"]) for one in given if not _GIVEN.fullmatch(one.string)}
     letters = {letter: by for letter, by in letters.items() if letter not in other}
@@ -93,6 +104,9 @@ def with_operators(formulas: Sequence[TypedFormula], text: str) -> Iterator[Type
         own = _GIVEN.fullmatch(formula.tex)
         if own and _plain(own["letter"]) in letters:
             yield replace(formula, tex=own["letter"])
+            continue
+        if letters and (ratio := _RATIO_ALONE.fullmatch(formula.tex)):
+            yield replace(formula, tex=by_of(ratio))  # which is said of the letter beside it
             continue
         yield _derived(formula, letters)
 
@@ -130,7 +144,8 @@ def _said(formulas: Sequence[TypedFormula], text: str) -> Iterator[tuple[str, st
             said = _SAID.match(f" {' '.join(between.split())} {mark}")
             by = _ALONE.fullmatch(behind.tex) if behind and said and said[0].endswith("§") else None
             given = _RATIO_ALONE.fullmatch(behind.tex) if behind and next_to else None
-            if said:
+            of = text[behind.end :] if behind and by else text[one.end + len(between) :]
+            if said and not _OF_SOMETHING.match(of):
                 yield _plain(alone["letter"]), by["letter"] if by else "t"
             elif given and _STANDS_FOR.fullmatch(between):
                 yield _plain(alone["letter"]), by_of(given)
@@ -160,6 +175,14 @@ def _derived(formula: TypedFormula, letters: Mapping[str, str]) -> TypedFormula:
     if (tex, trouble) == (formula.tex, formula.trouble):
         return formula
     return replace(formula, tex=tex, trouble=trouble)
+
+
+def _is_quantity(tex: str, letter: str) -> bool:
+    """Whether a letter stands for something by itself in a formula that says more than it does."""
+    if _ALONE.fullmatch(tex) or _GIVEN.fullmatch(tex):
+        return False
+    ends = (tex[found.end() :] for found in _printed(letter).finditer(tex))
+    return any(_ENDS.match(rest) for rest in ends)
 
 
 def _printed(letter: str) -> re.Pattern[str]:

@@ -101,3 +101,22 @@ def test_an_angle_that_is_given_by_its_rate_may_be_it(factor, green):
 
 def test_beside_dots_primes_derive_by_what_words_say_alone():
     assert not verdicts(KEPLER + r"Then \[ u''+u=\frac{\mu}{h^2} . \]")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The function $W$ satisfies $\frac12\left(\frac{dW}{dx}\right)^2+V=E$.",
+        r"At equilibrium $\frac{dV}{dx}=0$.",
+    ],
+)
+def test_a_coordinate_is_none(words):
+    law = r"Let $H=\frac12p^2+V$ be the Hamiltonian, where $V=\frac14x^4$. "
+    found = verdicts(law + words + " The function $xp$ is an integral.")
+    assert found["xp"] is Verdict.REFUTED
+
+
+def test_a_constant_is_none():
+    law = r"The equations are \[ x'=y,\qquad y'=-x^3 . \] The period obeys $\frac{dT}{da}=-\frac Ta$. "
+    found = verdicts(law + r"The function $y^2+\frac12x^4$ is an integral.")
+    assert [*found.values()] == [Verdict.PROVED]

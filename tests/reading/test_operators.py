@@ -59,3 +59,16 @@ def test_the_law_may_be_by_the_other_time(rate, verdict):
     found = [*verdicts(law + rf"Then $\dot s={rate}$, and $\frac{{d\pi}}{{d\tau}}=-q$.").values()]
     assert [one.green for one in found] == [verdict, True]
     assert "law" in {*roles(law).values()}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Here $p$ is the time derivative of $q$.",
+        "Here $p$ denotes the derivative with respect to time of the coordinate.",
+        "Let $p$ be the derivative with respect to $t$ of $q$.",
+    ],
+)
+def test_the_derivative_of_something_is_no_operator(words):
+    law = r"The equations are \[ \dot q=p,\quad\dot p=-q . \] " + words
+    assert [*verdicts(law + r" Put $w=pq$. Then $pq^2=wq$.").values()] == [Verdict.PROVED]
