@@ -200,6 +200,15 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
     )
 
 
+def constant(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A letter that is said to be constant, and of which nothing else is said: “k = const”."""
+    letters = item.is_const and len(item.bare) == len(item.members) - 1 and len(item.bare) == 1
+    if not letters or known.varies(item.bare[0]) or known.is_defined(item.bare[0]):
+        return None
+    given = item.bare[0] in known.later or any(item.bare[0] in one.rates for one in known.items)
+    return None if given else StatementRole(NOTATION, "says that it is constant")
+
+
 def _is_given_beside(item: SourceStatement, name: str, known: Known) -> bool:
     r"""Whether a rate is a letter that the next equation gives: :math:`\ddot r=-k, k=g/4`."""
     rated = item.derives and item.members[0] != Name(name)

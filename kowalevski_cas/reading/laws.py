@@ -216,7 +216,8 @@ class _LawFinder(PrintedRates):
     def other(self, item: SourceStatement, part: Sequence[Law]) -> Law | None:
         """Another law beside some: of another system, or of further variables."""
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
-        if not (self._may_set_up(item) or beside or self._is_rate_of_new(item, part)):
+        said = beside or self._is_rate_of_new(item, part) or self._is_ground(item)
+        if not (self._may_set_up(item) or said):
             return None
         beside = beside and not stands_beside(self, item, part)
         if not beside and item not in (*self.said.rows, *self.solutions):
@@ -259,6 +260,16 @@ class _LawFinder(PrintedRates):
             return False
         before = (one for one in self.paper.items if one.order < item.order and one.members)
         return all(new.isdisjoint(self.names.scalars(one.names)) for one in before)
+
+    def _is_ground(self, item: SourceStatement) -> bool:
+        """Whether a higher derivative of what a row derives is deduced from it in its sentence."""
+        return any(
+            row.order > item.order
+            and row.sentence == item.sentence
+            and bool(cue("deduced", row.lead))
+            and any(order > item.rates.get(name, order) for name, order in row.rates.items())
+            for row in self.rows
+        )
 
     def fuller(self, item: SourceStatement, moving: set[str]) -> Law | None:
         r"""A closed display that words call a system, for all that moved and more: the law then.

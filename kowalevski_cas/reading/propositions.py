@@ -79,12 +79,21 @@ def solution(item: SourceStatement, known: Known) -> StatementRole | None:
     if given:
         return StatementRole(CLAIM, f"gives {plain(given[0])} by the time", "solution")
     rated = [name for name in item.bare if any(name in one.rates for one in known.items)]
+    if rated and known.paper.primed_by[0] in item.names and _is_by_other(rated[0], item, known):
+        why = f"gives {plain(rated[0])} by {plain(known.paper.primed_by[0])}"
+        return StatementRole(CLAIM, why, "somewhere")
     said = cue("a solution", f"{item.lead[-60:]} § {item.tail[:40]}")
     if moving and not beside and item.typed.inline and not said:  # it is one of a list
         said = cue("a solution", f"{joined_lead(item)[-60:]} § {joined_tail(item)[:40]}")
     if rated and said and not item.derives:
         return StatementRole(CLAIM, f"“{said}” stands beside it", "solution")
     return None
+
+
+def _is_by_other(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a statement gives what has primes, which derive by a letter that stands in it."""
+    primed = any(name in one.rates and "prime" in one.marks for one in known.items)
+    return primed and item.members[0] == Name(name) and not known.moves(name)
 
 
 def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:

@@ -120,3 +120,17 @@ def test_a_constant_is_none():
     law = r"The equations are \[ x'=y,\qquad y'=-x^3 . \] The period obeys $\frac{dT}{da}=-\frac Ta$. "
     found = verdicts(law + r"The function $y^2+\frac12x^4$ is an integral.")
     assert [*found.values()] == [Verdict.PROVED]
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [("2", "conditional"), ("", "refuted")])
+def test_a_rate_among_words_is_the_ground_of_what_is_deduced(factor, verdict):
+    text = r"""The body obeys \[ \ddot\theta=-\sin\theta . \] By the law of areas
+$\dot\nu=k(1+e\cos\nu)^2$, $k=\mathrm{const}$, and therefore """
+    text += rf"\[ \ddot\nu=-\frac{{{factor}e\sin\nu}}{{1+e\cos\nu}}\dot\nu^2 . \]"
+    assert [one.value for one in verdicts(text).values()] == [verdict]
+
+
+def test_what_it_gives_defines_nothing():
+    text = BELETSKY + r"Take $\nu$ as the independent variable with $'=d/d\nu$. For small $e$ "
+    text += r"\[ \theta''+\mu\theta=3e\sin\nu \] has the solution \[ \theta=\frac{3e}{\mu-1}\sin\nu . \]"
+    assert not any(one.green for one in verdicts(text).values())
