@@ -12,10 +12,17 @@ from dataclasses import replace
 from kowalevski_cas.paper.chains import NAME, names_in
 from kowalevski_cas.source.displays import TypedFormula
 
-_APPLIED = re.compile(
-    rf"(?P<head>\\(?:sin|cos|tan|tg|cot|ctg|sinh|cosh|tanh|sh|ch|th)(?![A-Za-z])"
-    rf"(?:\s*\^\s*(?:\d|\{{\s*\d\s*\}}))?)\s*(?P<of>\d*\s*{NAME})\s*(?P<open>(?:\\left\s*)?\()"
+_HEAD = (
+    r"\\(?:sin|cos|tan|tg|cot|ctg|sinh|cosh|tanh|sh|ch|th)(?![A-Za-z])"
+    r"(?:\s*\^\s*(?:\d|\{\s*\d\s*\}))?"
 )
+_APPLIED = re.compile(rf"(?P<head>{_HEAD})\s*(?P<of>\d*\s*{NAME})\s*(?P<open>(?:\\left\s*)?\()")
+_D = r"(?:d|\\mathrm\s*\{?\s*d\s*\}?)"
+_BEFORE_RATE = re.compile(
+    rf"({_HEAD}\s*\d*\s*{NAME})\s*"
+    rf"(?=\\[dt]?frac\s*\{{\s*{_D}(?![A-Za-z]{{2}})[^{{}}]*\}}\s*\{{\s*{_D}(?![A-Za-z]{{2}}))"
+)
+"""A sine of a name right before a quotient of differentials."""
 _BRACKETS = re.compile(r"\\left\s*\(|\\right\s*\)|[()]")
 
 
@@ -30,7 +37,7 @@ def with_reach(formulas: Iterable[TypedFormula], moving: Collection[str]) -> Ite
 
 
 def _dotted(tex: str, moving: Collection[str]) -> str:
-    at = 0
+    tex, at = _BEFORE_RATE.sub(r"\1\\cdot ", tex), 0
     while found := _APPLIED.search(tex, at):
         name, start = found["of"].strip("0123456789 "), found.start("open")
         end, at = _closing(tex, start), found.end()

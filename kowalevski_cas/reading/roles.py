@@ -276,7 +276,7 @@ def _is_said_of_all(item: SourceStatement, known: Known) -> bool:
 
 def _has_differentials(item: SourceStatement, known: Known) -> bool:
     """Whether d stands before what varies, and is no name that is used elsewhere."""
-    if known.is_known("d"):
+    if known.is_known("d") or "d" not in item.names:
         return False
     varying = "|".join(map(re.escape, known.varying(item.names)))
     return re.search(rf"(?<![A-Za-z\\])d\s*(?:{varying})", item.printed.tex) is not None

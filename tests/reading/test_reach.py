@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.reading.reach import with_reach
 from kowalevski_cas.source.displays import TypedFormula
+from tests.reading.test_reading import verdicts
 
 
 def dotted(tex, moving):
@@ -25,3 +26,14 @@ def dotted(tex, moving):
 )  # fmt: skip
 def test_reach(printed, read):
     assert dotted(printed, {r"\theta"}) == read
+
+
+GEODESICS = r"""The geodesics obey \[ \frac{d^2u}{ds^2}=\sin u\cos u\left(\frac{dv}{ds}\right)^2,\qquad
+\frac{d}{ds}\left(\sin^2u\frac{dv}{ds}\right)=0 . \] """
+
+
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_a_quotient_of_differentials_is_a_factor_and_no_differential_form(sign, green):
+    form = rf"\left(\frac{{du}}{{ds}}\right)^2{sign}\sin^2u\left(\frac{{dv}}{{ds}}\right)^2"
+    found = verdicts(GEODESICS + rf"Hence ${form}$ is constant.")
+    assert [one.green for one in found.values()] == [green]
