@@ -9,6 +9,7 @@ from itertools import combinations
 from kowalevski_cas.algebra.ideals import vanish_on
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
+    Constant,
     Derivative,
     Edit,
     Formula,
@@ -71,9 +72,9 @@ def says_something(neighbour: Neighbour, statement: Statement, printed: Statemen
     replaced = (before.names() - after.names()) & defined
     if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
-    return (
-        is_trivial(before) >= is_trivial(after) and not (_common(after) - _common(before)) & defined
-    )
+    factors = _common(after) - _common(before)
+    defined |= {n for name in defined for n in neighbour.claim.scene.vectors.get(name, ())}
+    return is_trivial(before) >= is_trivial(after) and not factors & defined
 
 
 def _moves(statement: Statement) -> bool:
@@ -160,7 +161,11 @@ def _common(formula: Formula) -> set[str]:
         case Negative() | Power():
             return _common(formula.children()[0])
         case Relation() | Sum():
-            parts = [_common(part) for part in formula.children() if part != Number(0)]
+            parts = [
+                _common(part)
+                for part in formula.children()
+                if part != Number(0) and not isinstance(part, Constant)
+            ]
             return set.intersection(*parts) if parts else set()
         case Quotient():
             return _common(formula.numerator)
