@@ -93,10 +93,11 @@ class Partials:
 
     @cached_property
     def _coordinates(self) -> frozenset[str]:
-        """The names of which the printed equations of motion give the rates."""
-        rows = self.setting.printed_field
+        """The names of which the printed equations of motion give the rates, with components."""
+        rows, vectors = self.setting.printed_field, self.setting.scene.vectors
         nodes = (node for row in rows for node in row.nodes() if isinstance(node, Derivative))
-        return frozenset(inner.name for node in nodes if isinstance(inner := node.argument, Name))
+        names = [inner.name for node in nodes if isinstance(inner := node.argument, Name)]
+        return frozenset(part for name in names for part in (name, *vectors.get(name, ())))
 
     def _by_coordinate(self, formula: Formula, name: str) -> Formula:
         """The derivative by a coordinate of the equations of motion, which new variables give.

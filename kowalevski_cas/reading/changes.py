@@ -31,7 +31,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
 
     There are as many new names as variables that are given: else it is a set that they describe.
     """
-    seen = {*law.mentions, PI}
+    seen = {*law.mentions, *law.variables, PI}
     for item in items:
         if item.order <= law.order:  # what implies it stands beside it
             seen |= item.names

@@ -34,6 +34,8 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     cited = [one for one in cited if one not in here]
     if cue("on it", _place_words(item)):
         cited += just_before(item, known)
+    elif one := _restricting(item, known):
+        cited += just_before(one, known)
     cited += _named_before(item, known) or set_right_before(item, known)
     cited += set_right_behind(item, known)
     alone = ((one,) for one in amplitude_equations(item, known))
@@ -78,6 +80,33 @@ def _of_change(item: SourceStatement, known: Known) -> SetOfEquations:
         if one.bare and one.members[0] == Name(one.bare[0])
     )
     return just_before(first, known) if more else ()
+
+
+_RESTRICTS = re.compile(
+    r"(?:^|[.;,])\s*(?:on|на)\s+(?:it|them|(?:this|these|that|such\s+an?|этом|этой|этих)\s+\w+|н[её][мй]?|них)\b[^.;§]*?"
+    r"(?:\b(?:system|equations?|motions?|flow|problem|систем\w+|уравнени\w+|движени\w+)\b[^.;]*?"
+    r"\b(?:becomes?|reduces?|turns?|takes?|are|is|reads?|goes|go|принима\w+|сводя?тся|име[ею]т|переход\w+)\b"
+    r"|\b(?:we|one|мы)?\s*(?:puts?|sets?|introduces?|uses?|writes?|takes?|положим|введ[её]м|полагаем)\b)",
+    re.IGNORECASE,
+)
+"""How a sentence begins in which equations, or variables, are those on a set: so they are then."""
+
+
+def _restricting(item: SourceStatement, known: Known) -> SourceStatement | None:
+    """The last statement before, in its section, that says how equations are on a set.
+
+    Nothing stands in what is said behind it that vanishes, or is given, on this set.
+    """
+    before = [
+        one
+        for one in known.items
+        if one.order < item.order and one.section is item.section and _RESTRICTS.search(one.before)
+    ]
+    if not before:
+        return None
+    given = {name for one in just_before(before[-1], known) for name in one.names}
+    below = {inner for name in item.names for inner in known.below(name)}
+    return before[-1] if given.isdisjoint(known.names.scalars(below)) else None
 
 
 def _named_before(item: SourceStatement, known: Known) -> SetOfEquations:

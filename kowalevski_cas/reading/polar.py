@@ -92,14 +92,18 @@ def radii(items: Iterable[SourceStatement], law: Law) -> set[str]:
 def radius_given(item: SourceStatement, law: Law) -> str:
     """The name that is given as the root of a sum of squares of what moves, or its square is."""
     name = length_given(item)
-    moves = item.members[1].names() <= {*law.variables} if name else False
+    moves = item.names - {name} <= {*law.variables} if name else False
     return name if moves else ""
 
 
 def length_given(item: SourceStatement) -> str:
     r"""The name that is given as the root of a sum of squares of names, as :math:`r^2=x^2+y^2`."""
     match item.members:
-        case (Name(name), Root(Sum(terms))) | (Power(Name(name), Number(2)), Sum(terms)):
+        case (
+            (Name(name), Root(Sum(terms)))
+            | (Power(Name(name), Number(2)), Sum(terms))
+            | (Sum(terms), Power(Name(name), Number(2)))
+        ):
             squares = [one for one in terms if isinstance(one, Power) and _is_square(one)]
             return name if len({*map(to_latex, squares)}) == len(terms) else ""
     return ""

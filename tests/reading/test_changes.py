@@ -229,3 +229,52 @@ def test_an_integral_on_a_set_asks_whether_the_motion_stays_there():
     text = law + r"We put $\gamma_1=\cos\theta$, $\gamma_2=-\sin\theta$. Then "
     found = verdicts(text + r"\[\dot\theta^2+k\sin^2\theta=\mathrm{const}.\]")
     assert not [*found.values()][-1].green
+
+
+VECTORS = r"""The equations of motion are
+\[ \dot{\mathbf p}=a\,\mathbf p\times\mathbf M,\qquad \dot{\mathbf M}=\mathbf p\times C\mathbf p,\]
+where $C=\operatorname{diag}(c_1,c_2,c_3)$. """
+GRADIENTS = r"""With $H=\tfrac12aM^2+\tfrac12(c_1p_1^2+c_2p_2^2+c_3p_3^2)$ the equations of motion are
+\[ \dot{\mathbf p}=\mathbf p\times\frac{\partial H}{\partial\mathbf M},\qquad \dot{\mathbf M}=\mathbf
+M\times\frac{\partial H}{\partial\mathbf M}+\mathbf p\times\frac{\partial H}{\partial\mathbf p} .\] """.replace(
+    "aM^2", "a(M_1^2+M_2^2+M_3^2)"
+)
+ANGLE = [
+    r"The set $M_1=M_2=p_3=0$ is invariant. On it the equations become $\dot p_1=aM_3p_2$, "
+    r"$\dot p_2=-aM_3p_1$. Setting $p_1=P\sin\theta$, $p_2=P\cos\theta$, we obtain \[ RATE .\]",
+    r"The set $M_1=M_2=p_3=0$ is invariant. On it we put $p_1=P\sin\theta$, $p_2=P\cos\theta$. Then \[ RATE .\]",
+]
+
+
+@pytest.mark.parametrize(
+    ("law", "words"), [(VECTORS, ANGLE[0]), (VECTORS, ANGLE[1]), (GRADIENTS, ANGLE[0])]
+)
+@pytest.mark.parametrize(
+    "rate",
+    [
+        r"\dot\theta=aM_3",
+        r"\ddot\theta=\tfrac12a(c_2-c_1)P^2\sin2\theta",
+        r"\dot\theta^2+a(c_2-c_1)P^2\cos^2\theta=\mathrm{const}",
+    ],
+)
+def test_components_of_vectors_are_given_by_an_angle_on_a_set(law, words, rate):
+    assert judged(law + words.replace("RATE", rate))[rate][1].green
+
+
+def test_an_angle_does_not_turn_the_other_way():
+    rate = r"\dot\theta=-aM_3"
+    assert not judged(VECTORS + ANGLE[1].replace("RATE", rate))[rate][1].green
+
+
+def test_off_the_set_the_rate_of_the_angle_is_another_one():
+    words = ANGLE[1].replace("On it we put", "We put").replace("RATE", r"\dot\theta=aM_3")
+    assert not judged(VECTORS + words)[r"\dot\theta=aM_3"][1].green
+
+
+@pytest.mark.parametrize("sign", "+-")
+def test_a_radius_is_given_on_either_side_before_it_is_a_variable(sign):
+    text = (
+        r"The equations are \[\dot u=wv,\qquad \dot v=-wu,\qquad \dot w=kuv.\] Let $u^2+v^2=P^2$. "
+    )
+    text += rf"Setting $u=P\sin\theta$, $v=P\cos\theta$, we obtain \[\ddot\theta={sign}\tfrac12kP^2\sin2\theta .\]"
+    assert [*judged(text).values()][-1][1].green is (sign == "+")
