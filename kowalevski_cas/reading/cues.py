@@ -50,6 +50,19 @@ CUES: dict[str, str] = {
         (?:is|are|remains?|stays?)\s+(?:a\s+|also\s+)?(?:constants?|preserved|conserved)
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
+    "restated": r"""
+        \bin\s+(?:(?:the|their|its)\s+)?(?:cartesian\s+|scalar\s+)?components?\b \bcomponentwise\b
+        \bfor\s+the\s+components\b \bin\s+(?:component|scalar|real)\s+(?:form|notation)\b
+        \bin\s+full\b
+        \bexplicit(?:ly)?\b(?!\s+(?:solution|function|dependence|time)) \bwritten\s+out\b
+        \bwrit\w+\s+(?:\w+\s+){0,4}out\b \bin\s+other\s+words\b
+        \bв\s+(?:компонентах|проекциях|скалярн\w+\s+(?:виде|форме)|развёрнут\w+\s+виде)
+        \bпокомпонентно\b
+        \bв\s+явном\s+виде\b
+        \bin\s+Komponenten\b \bexplizit\b \bausgeschrieben\b \ben\s+composantes\b""",
+    "that is": r"""
+        \bi\.\s*e\. \bthat\s+is\b \bnamely\b
+        \bт\.\s*е\. \bто\s+есть\b \bd\.\s*h\. \bc['’]est-(?:à|\\`a)-dire\b""",
     "energy": r"""
         (?<!instead\sof\sthe\s)(?<!kinetic\s)(?<!potential\s)\benergy\b(?!\s+levels?)(?:\s+(?!satisf|chang|equation)\w+){0,5}[\s:,]*$
         (?<!етическ..\s)(?<!нциальн..\s)\bэнерги[яи]\b(?:\s+\w+){0,4}[\s:,—-]*$""",

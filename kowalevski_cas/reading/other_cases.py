@@ -100,6 +100,8 @@ class OtherCases:
         gives = is_row(item) or _is_of_equal_rates(item)
         if role.name != CLAIM or not gives or not _is_whole(item, known):
             return False
+        if not force and _restates(item):
+            return False
         before = item.earlier[0] if item.earlier else ""
         words = f"{item.sections[-1].title} {before} {item.words}"
         if len(item.rates) > 1 and min(item.rates.values()) == 1:
@@ -170,6 +172,26 @@ class OtherCases:
         if law := self._law_behind(row):
             end = min(end, law.first.typed.start)
         return row.sentence[0] <= start < end
+
+
+def _restates(item: SourceStatement) -> bool:
+    """Whether the words right before rates only print the law once more, as in components.
+
+    One that fails is a misprint then: no other case is set up.
+    """
+    words = joined_lead(item)
+    if cue("another case", words) or _OTHERS.search(words):
+        return False
+    supposing = map(_SUPPOSED.search, (item.lead, words))
+    return bool(cue("restated", words) or (cue("that is", words) and not any(supposing)))
+
+
+_OTHERS = re.compile(
+    r"§|\b(?:without|instead|modified|perturb\w+|other|another|new|case|model|torque|control\w*)\b"
+    r"|\b(?:без|вместо|друг\w+|нов\w+|случа\w+|модел\w+|возмущ\w+|управл\w+)",
+    re.IGNORECASE,
+)
+"""Words for what may be another law, also in components."""
 
 
 def _is_of_equal_rates(item: SourceStatement) -> bool:

@@ -97,3 +97,40 @@ def test_another_section_is_of_the_law_again():
 def test_the_reader_is_told_why():
     found = reading(LAW + r"With friction $\dot v=-u-v$. Then $\dot K=0$.").formulas[-1]
     assert r"\dot v=-u-v" in found.message and "another law" in found.message
+
+
+EULER = r"""The equations of motion are \[J\dot{\mathbf u}+\mathbf u\times J\mathbf u=0\] with $J=\operatorname{diag}(A,B,C)$. """
+ROWS = r"\[A\dot u_1=(B-C)u_2u_3,\qquad B\dot u_2=(C+A)u_3u_1,\qquad C\dot u_3=(A-B)u_1u_2 .\] "
+BEHIND = r"Hence $Au_1^2+Bu_2^2+Cu_3^2$ is an integral."
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "If we write this in components, we get",
+        "Now the equations are, in components,",
+        "For the components this gives",
+        "When written out, they read",
+        "Here the explicit equations are",
+        "Теперь в проекциях имеем",
+    ],
+)
+def test_what_fails_where_the_law_is_printed_in_components_is_a_misprint(words):
+    found = verdicts(EULER + words + ROWS + BEHIND)
+    assert [one.green for one in found.values()] == [True, False, True, True]
+    wrong = BEHIND.replace("Au_1^2", "2Au_1^2")
+    assert not [*verdicts(EULER + words + ROWS + wrong).values()][-1].green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "With friction the equations are, in components,",
+        "In the new model, in full,",
+        "If a torque acts, that is,",
+        "If the body is not free, i.e.,",
+    ],
+)
+def test_another_law_in_components_is_no_misprint(words):
+    found = verdicts(EULER + words + ROWS + BEHIND)
+    assert not any(one.green for tex, one in found.items() if "u_1^2" in tex)
