@@ -113,6 +113,15 @@ CUES: dict[str, str] = {
         в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b
         in\s+diesem\s+(?:Abschnitt|Kapitel|Fall\w*) dans\s+cette\s+section
         dans\s+ce\s+(?:paragraphe|chapitre|cas)""",
+    "to the end": r"""
+        \b(?:rest|remainder)\s+of\s+(?:the|this|our)\s+(?:paper|article|note|work|text|chapter|lecture)s?\b
+        \bhenceforth\b \bfrom\s+(?:now|here)\s+on(?:wards)?\b \bin\s+what\s+follows\b
+        \bin\s+the\s+sequel\b
+        \bthroughout(?=\s+(?:the|this|our)\s+(?:paper|article|note|work|text)|\s*(?:[,.;§]|$|we\b))
+        \bthroughout\s+(?:let|suppose|assume|take|put)\b
+        \bin\s+all\s+that\s+follows\b \beverywhere\s+below\b
+        \b(?:всюду|везде)\s+(?:далее|ниже|в\s+дальнейшем)\b \bв\s+дальнейшем\b
+        \bв\s+остальной\s+части\s+(?:статьи|работы) \bim\s+Folgenden\b \bdans\s+la\s+suite\b""",
     "lasting": r"""
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""

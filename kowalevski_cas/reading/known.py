@@ -21,6 +21,7 @@ from kowalevski_cas.reading.lifted import (
     goes_on,
     has_what_vanishes,
     is_lifted,
+    lasts_to_the_end,
     may_lift,
     names_case,
 )
@@ -463,13 +464,17 @@ class Known:
     def is_within(self, one: SourceStatement, item: SourceStatement) -> bool:
         """Whether a statement stands where another one holds: in its item of a list, or theorem.
 
-        Outside of theorems that is its section; what is said in a footnote is said there.
+        Outside of theorems that is its section, or all that follows, as words say; what is said in
+        a footnote is said there.
         """
         aside = self.paper.prose.footnote(one.typed.start)
         for place in filter(None, (one.entry, aside)):
             if not place[0] <= item.typed.start < place[1]:
                 return False
-        return one.section in item.sections if one.theorem is None else one.theorem == item.theorem
+        if one.theorem is not None:
+            return one.theorem == item.theorem
+        lasting = one.order < item.order and lasts_to_the_end(one)
+        return one.section in item.sections or lasting
 
     def special(self, law: Law) -> list[SourceStatement]:
         """The assumptions about the constants of a law for which it is printed anew."""

@@ -80,7 +80,7 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: P
     """
     if one.sentence == item.sentence or not (special and one.typed.inline):
         return True
-    if one.theorem is not None and one.theorem == item.theorem:
+    if lasts_to_the_end(one) or (one.theorem is not None and one.theorem == item.theorem):
         return True
     begun = _FOR_LONG.search(one.before) or cue("in this part", one.before)
     lasts = one.theorem is not None or one.entry is not None or begun
@@ -88,6 +88,15 @@ def goes_on(one: SourceStatement, item: SourceStatement, special: bool, prose: P
     if lasts and not (_NOT_HERE.search(one.words) or alone):
         return True
     return one.paragraph == item.paragraph and _GOES_ON.match(item.before) is not None
+
+
+_NEAR = 60
+"""So many signs behind a statement are words that may say how long it holds."""
+
+
+def lasts_to_the_end(one: SourceStatement) -> bool:
+    """Whether words beside a statement suppose it for all that follows."""
+    return bool(cue("to the end", f"{one.before} § {one.tail[:_NEAR]}"))
 
 
 _GAP = 3

@@ -122,3 +122,36 @@ def test_letters_that_differ_are_equal_no_more(text):
 def test_other_letters_that_differ_lift_nothing(pair):
     text = rf"Let $A=B$. Then the body is symmetric. Let {pair} be distinct. Then $r$ is a first integral."
     assert [one.green for one in verdicts(BODY + text).values()] == [True]
+
+
+PARTED = r"""\section{First} The equations are \[\dot x=y+bx,\qquad\dot y=-x .\] WORDS Then $x^2+y^2$ is constant.
+\section{Second} We have \[\ddot x=-x .\] """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "In the rest of the paper let $b=0$.", "From now on let $b=0$.", "Throughout let $b=0$.",
+        "We assume that $b=0$ from now on.", "Let $b=0$ throughout the paper.",
+        "In what follows, $b=0$.", "В дальнейшем пусть $b=0$.", "Henceforth we put $b=0$.",
+    ],
+)  # fmt: skip
+def test_what_is_supposed_of_all_that_follows_holds_in_later_sections(words):
+    text = PARTED.replace("WORDS", words)
+    assert [one.green for one in verdicts(text).values()] == [True, True]
+    wrong = text.replace(r"\ddot x=-x", r"\ddot x=x")
+    assert [one.green for one in verdicts(wrong).values()] == [True, False]
+    other = text + r"\section{Third} Let $b=1$. The function $x^2+y^2+bx$ is an integral."
+    assert not verdicts(other)["x^2+y^2+bx"].green
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "In the rest of this section let $b=0$.", "Now let $b=0$.", "Throughout this section $b=0$.",
+        "Let $b=0$ throughout the proof.",
+    ],
+)  # fmt: skip
+def test_what_is_supposed_in_a_section_ends_there(words):
+    found = [*verdicts(PARTED.replace("WORDS", words)).values()]
+    assert not found[-1].green
