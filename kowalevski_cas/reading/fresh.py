@@ -182,15 +182,26 @@ def _defines_anew(
 ) -> bool:
     """Whether words let a display of another section define a name on its left once more.
 
-    In the new variables of a change it is what it was before.
+    In the new variables of a change it is what it was before. One more integral may have the letter
+    of another one.
     """
     if any(item.names & {*law.new} for law in known.laws) or name not in item.members[0].names():
         return False
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
+    said = said or _ONE_MORE_INTEGRAL.search(item.lead)
     timed = item.names & {"t"}  # it is a solution
     anew = apart and not item.typed.inline and not timed
     return anew and bool(said) and not cue("derived", item.lead)
+
+
+_ONE_MORE_INTEGRAL = re.compile(
+    r"\b(?:an?|another|additional|further|more|new|second|third|fourth|fifth|following|there\s+(?:is|exists)|"
+    r"has|have|possess(?:es)?|admits?|ещ[её]|дополнительн\w+|нов\w+|втор\w+|трет\w+|четв[её]рт\w+|допуска\w+|имеет)\b"
+    r"[^.;§]*\b(?:integrals?|интеграл\w*)\b[^.;§]*$",
+    re.IGNORECASE,
+)
+"""How words end that introduce one more integral."""
 
 
 def _gives(name: str, item: SourceStatement, known: Known) -> bool:

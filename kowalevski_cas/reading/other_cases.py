@@ -157,6 +157,7 @@ class OtherCases:
             one
             for one in self.parts.paper.approximate
             if one.derives and one.typed.start < start and one.section is item.section
+            and one.sentence != item.sentence  # else they are equations of one system
             and not any(one in law.items for law in laws)
         ]  # fmt: skip
         return [max(before, key=lambda one: one.order)] if before else []

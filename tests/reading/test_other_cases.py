@@ -134,3 +134,15 @@ def test_what_fails_where_the_law_is_printed_in_components_is_a_misprint(words):
 def test_another_law_in_components_is_no_misprint(words):
     found = verdicts(EULER + words + ROWS + BEHIND)
     assert not any(one.green for tex, one in found.items() if "u_1^2" in tex)
+
+
+SPIN = r"""The equations are \[\dot u=avw,\qquad \dot v=bwu,\qquad \dot w=cuv .\]
+For every $k$ the point $u=v=0$, $w=k$ is an equilibrium: the body turns about its third axis.
+With $u$, $v$ small, the linear equations are
+\begin{align} &\dot u=akv,\\ &\dot v=SIGNbku .\end{align}"""
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_rows_of_one_linear_system_are_not_said_of_one_another(sign):
+    found = verdicts(SPIN.replace("SIGN", sign))
+    assert [one.green for tex, one in found.items() if "k" in tex][-2:] == [True, not sign]
