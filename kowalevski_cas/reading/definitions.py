@@ -455,6 +455,22 @@ def _invariant(item: SourceStatement) -> str:
     return found[0].strip() if found else ""
 
 
+_THEY_ARE = re.compile(
+    r"\W*(?:explicitly|namely|in\s+(?:detail|full)|written\s+out|(?:they|these)\s+(?:are|read|have\s+the\s+form)"
+    r"|в\s+явном\s+виде|явно|а\s+именно|они\s+име[ею]т\s+вид|вот\s+они)\b[^§]*",
+    re.IGNORECASE,
+)
+"""How a sentence begins that prints what the one before it speaks of."""
+
+
+def _spoken_of(item: SourceStatement) -> str:
+    """The words by which the sentence before calls integrals what a display prints in full."""
+    before = item.earlier[0] if item.earlier else ""
+    if item.typed.inline or not _THEY_ARE.fullmatch(joined_lead(item)):
+        return ""
+    return "" if cue("denied", before) or cue("when", before) else cue("integral", before)
+
+
 def _integral_that_defines(
     item: SourceStatement, known: Known, fresh: list[str]
 ) -> StatementRole | None:
@@ -463,6 +479,7 @@ def _integral_that_defines(
     A theorem claims it itself; its rate is the proof.
     """
     said = integral_words(item) or _integral_further_off(item, known) or _invariant(item)
+    said = said or _spoken_of(item)
     moves = known.varying(item.names - {*fresh}) or item.derives
     if not said or not moves or cue("where", item.lead):
         return None

@@ -189,10 +189,10 @@ def _defines_anew(
         return False
     apart = all(one.section not in item.sections for one in found)
     said = cue("hamiltonian", item.lead[-40:]) or cue("define", item.lead)
-    said = said or _ONE_MORE_INTEGRAL.search(item.lead)
+    more = _ONE_MORE_INTEGRAL.search(item.lead)
     timed = item.names & {"t"}  # it is a solution
     anew = apart and not item.typed.inline and not timed
-    return anew and bool(said) and not cue("derived", item.lead)
+    return anew and bool(said or more) and not cue("derived", item.lead)
 
 
 _ONE_MORE_INTEGRAL = re.compile(
