@@ -16,6 +16,7 @@ from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.reading.cases import is_told_apart, named_case, proves
 from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.lifted import (
     goes_on,
@@ -473,6 +474,8 @@ class Known:
                 return False
         if one.theorem is not None:
             return one.theorem == item.theorem
+        if len(one.sections) == 1 and cue("in this part", one.before):
+            return one.section is item.section  # what stands before the first heading is a part
         lasting = one.order < item.order and lasts_to_the_end(one)
         return one.section in item.sections or lasting
 

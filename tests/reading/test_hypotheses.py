@@ -155,3 +155,12 @@ def test_what_is_put_for_complex_variables_with_real_letters_refutes_nothing():
     text = r"""Let \[ i\dot a=Vbc,\qquad i\dot b=Va\bar c,\qquad i\dot c=Va\bar b .\]
     Put $a=-ix$, $b=y$, $c=z$ with real $x,y,z$. Then $y^2-z^2$ is a first integral."""
     assert not any(one is Verdict.REFUTED for one in verdicts(text).values())
+
+
+def test_what_is_supposed_in_a_part_before_all_headings_is_left_behind_them():
+    top = r"Consider $\dot p=(b-c)qr$, $\dot q=(c-a)rp$, $\dot r=(a-b)pq$. In this section $a=b$. "
+    both = top + r"Then $r$ is an integral. \section{Motions} The function $3r$ is an integral."
+    found = verdicts(both)
+    assert found["r"].green
+    assert not found["3r"].green
+    assert verdicts(both.replace("In this section", "Throughout"))["3r"].green
