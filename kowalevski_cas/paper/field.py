@@ -47,13 +47,14 @@ def field(
     _check_marks(setting)
     # a row may use the rates of angles that stand before it: they are known as they come
     setting.turning = turning = dict[str, Formula]()
+    changed = not {*setting.scene.variables} <= partials.coordinates
     velocities = setting.velocities.items()
     rows = [EquationOfMotion((x,), Number(1), Name(rate)) for x, rate in velocities]
     found: dict[str, Printed] = {}
     others: list[Equation] = []
     for printed in places:
         left, right = setting.texts.ends(printed)
-        row, force = _row(left, setting), setting.plain(right)
+        row, force = _row(left, setting, changed), setting.plain(right)
         if row is None or _rests_on_rates(force, setting):
             others += pairwise(sides((left, right), setting))
             continue
@@ -121,8 +122,11 @@ def _check_marks(setting: Meaning) -> None:
         raise Meaningless("dots and primes in the same equations: print one of them")
 
 
-def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
-    """The left side of a row of the field, with 0 on the right; ``None`` if it is none."""
+def _row(left: Formula, setting: Meaning, changed: bool) -> EquationOfMotion | None:
+    """The left side of a row of the field, with 0 on the right; ``None`` if it is none.
+
+    Where variables are ``changed``, new ones move of which no row gives the rate.
+    """
     factors = left.factors if isinstance(left, Product) else (left,)
     rates = [factor for factor in factors if isinstance(factor, Derivative)]
     others = [factor for factor in factors if factor not in rates]
@@ -136,8 +140,8 @@ def _row(left: Formula, setting: Meaning) -> EquationOfMotion | None:
     names = setting.scene.vectors.get(inner.name, (inner.name,))
     if inner.name in setting.scene.definitions and {*names}.isdisjoint(setting.scene.variables):
         return None  # what it stands for moves
-    if len(names) > 1 and not setting.scene.definitions.keys().isdisjoint(names):
-        return None  # what some of its components stand for
+    if changed and len(names) > 1 and not setting.scene.definitions.keys().isdisjoint(names):
+        return None  # what some of its components stand for moves
     for _ in range(order):
         if not {*names} <= setting.velocities.keys():
             return None

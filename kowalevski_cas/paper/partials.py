@@ -66,7 +66,7 @@ class Partials:
 
     def _partial(self, formula: Formula, name: str) -> Formula:
         """The derivative by a name, of which no function without a formula is one."""
-        if name in self.setting.scene.definitions and name in self._coordinates:
+        if name in self.setting.scene.definitions and name in self.coordinates:
             return self._by_coordinate(formula, name)
         if name in self.setting.radicals:
             return Quotient(
@@ -92,7 +92,7 @@ class Partials:
         return derivative(formula, {name: Number(1), **rates}, step)
 
     @cached_property
-    def _coordinates(self) -> frozenset[str]:
+    def coordinates(self) -> frozenset[str]:
         """The names of which the printed equations of motion give the rates, with components."""
         rows, vectors = self.setting.printed_field, self.setting.scene.vectors
         nodes = (node for row in rows for node in row.nodes() if isinstance(node, Derivative))
@@ -108,7 +108,7 @@ class Partials:
         met, waiting = set[str](), {*formula.names()}
         while waiting:
             met.add(one := waiting.pop())
-            if one in self._coordinates:
+            if one in self.coordinates:
                 continue
             match self.setting.step(one):
                 case Let(_, body) | Adjoined(_, body):

@@ -67,7 +67,7 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         timed = any("t" in one.names for one in giving)  # else it is a solution
         for names in ([] if timed else [*new], [name for name in new if name in rated]):
             own = giving if len(names) == len(given) else _on_a_set(giving, names)
-            if own and names:
+            if own and {*names} - lengths:  # a length alone is given before
                 yield Law((), law.names, base=law, change=tuple(own), new=(*names,))
                 break
         for one in sentence:

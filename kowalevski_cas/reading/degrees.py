@@ -45,8 +45,9 @@ def degrees(formula: Formula, known: Known) -> set[int]:
 
 
 def _given(name: str, known: Known) -> Formula | None:
-    """What gives a name alone, without it: ``None`` if nothing does, or more than one equation."""
+    """What gives a name alone, and not by itself: ``None`` if more than one equation does."""
     match known.definitions.get(name, []):
         case [by] if by.members[:1] == (Name(name),) and len(by.members) == 2:
-            return by.members[1] if name not in by.members[1].names() else None
+            below = {inner for one in by.members[1].names() for inner in known.below(one)}
+            return by.members[1] if name not in below else None
     return None

@@ -48,9 +48,12 @@ def _closed_sets(
     is printed, or not all of it, there may be that of a Hamiltonian, or one among the words, but
     beside ``maps``. Where there is none, what is printed may hold for any motion.
     """
-    found = [*_LawFinder(paper, names, said).laws()]
+    finder = _LawFinder(paper, names, said)
+    found = [*finder.laws()]
     if maps:
         return found
+    if found and any(map(_sets_up, finder.before(found[0]))):
+        found = [*_LawFinder(paper, names, said, inline=True).laws()] or found
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
     own = [law for law in found if not law.change]
     second = len(own) == 1 and is_of_second_order(own[0])
@@ -136,6 +139,13 @@ _SETS_UP = re.compile(
     re.IGNORECASE,
 )
 """Words of a sentence that begins with equations of motion."""
+
+
+def _sets_up(row: SourceStatement) -> bool:
+    """Whether a sentence begins with a row among its words, as “Consider” says."""
+    return row.typed.inline and _SETS_UP.fullmatch(row.lead) is not None
+
+
 _SUBSTITUTES = re.compile(
     r"\b(?:substitution|change|transformation|подстановк\w+|замен\w+)\b[^§]*$", re.IGNORECASE
 )
@@ -148,8 +158,12 @@ class _LawFinder(PrintedRates):
     def _may_set_up(self, item: SourceStatement) -> bool:
         """Whether a law may begin with a row: with a display, or as the words right before say."""
         aside = any(section.title == "abstract" for section in item.sections)
-        said = self.inline or cue("system", item.lead) or _SETS_UP.fullmatch(item.lead)
+        said = self.inline or cue("system", item.lead)
         return not item.typed.inline or bool(said and not aside)
+
+    def before(self, law: Law) -> list[SourceStatement]:
+        """The rows before a law."""
+        return [row for row in self.rows if row.order < law.first.order]
 
     def laws(self) -> Iterator[Law]:
         found = self.found

@@ -184,6 +184,8 @@ class _MapFinder:
             new = [name for name in images.values() if name not in images]
             unknown = self._without_image(own, images)
             if len(own) == len(new) and not unknown:
+                if self._has_other_steps(own, images):
+                    return None
                 return Law(tuple(own), self.names, images=(*images.items(),))
             wanted = {*new, *unknown.values()}
             others = [one for one in self.rows if one not in own and one.names & wanted]
@@ -193,6 +195,15 @@ class _MapFinder:
             if not near or len(own) > len(new):
                 return None
             own = sorted([*own, near[0]], key=lambda one: one.order)
+
+    def _has_other_steps(self, items: Sequence[SourceStatement], images: dict[str, str]) -> bool:
+        """Whether a letter with the number of steps stands in equations, and nothing gives it."""
+        steps = {
+            symbol(x).index for x in images if f"{symbol(x).index}+1" == symbol(images[x]).index
+        }
+        given = {name for one in self.paper.items if one.members for name in one.bare[:1]}
+        names = {name for one in items for name in one.names} - {*images, *images.values()} - given
+        return any(symbol(name).index in steps for name in names)
 
     def _without_image(
         self, items: Sequence[SourceStatement], images: dict[str, str]

@@ -18,12 +18,6 @@ With $w = 1/\rho$ we have
 Inserted, this gives
 \[ \frac{k^2}{\mu}w^2\left(\frac{d^2w}{d\varphi^2} + w\right) = %s . \]
 """
-EXACT = r"""
-We want the solutions of
-\[ (4z - 2y)\frac{dz}{dy} + 2y - 2z = 0 . \]
-The solution is
-\[ y^2 %s yz + 2z^2 = K . \]
-"""
 BEAM = r"""
 The deflection obeys
 \[ b\,\frac{\partial^2 w}{\partial z^2} = -q\cos\beta . \]
@@ -339,7 +333,6 @@ CASES = [
     (ELLIPSE, "-", "+"),
     (BY_PARTS, "+", "-"),
     (CENTRAL, "-P(1/w)", "P(1/w)"),
-    (EXACT, "-2", "-3"),
     (BEAM, "b", "b^2"),
     (CHAIN, "-", "+"),
     (RATE, "cosh", "sinh"),

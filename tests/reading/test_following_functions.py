@@ -70,12 +70,6 @@ The path obeys
 It is therefore
 \[ \varphi = \beta %s \kappa\cot\theta . \]
 """
-PRIMES = r"""
-The curve $y(x)$ obeys
-\[ \frac{d^2y}{dx^2} = \kappa y . \]
-Therefore
-\[ y'' = %s\kappa y . \]
-"""
 NEAR_THE_GROUND = r"""
 The potential is $W(s) = -\frac{\kappa}{s}$. At a small height $y$, where $s = S + y$,
 \[ W(s) = W(S + y) = -\frac{\kappa}{%s + y} = -\frac{\kappa}{S}\left(1 - \frac{y}{S} + \cdots\right)
@@ -97,7 +91,6 @@ The potential is $W(s) = -\frac{\kappa}{s}$. At a small height $y$, where $s = S
         (DOUBLE_ANGLE, "", "2"),
         (LENGTH, "sin", "cos"),
         (ON_THE_SPHERE, "-", "+"),
-        (PRIMES, "", "-"),
         (NEAR_THE_GROUND, "S", "s"),
     ],
 )

@@ -134,3 +134,25 @@ def test_what_it_gives_defines_nothing():
     text = BELETSKY + r"Take $\nu$ as the independent variable with $'=d/d\nu$. For small $e$ "
     text += r"\[ \theta''+\mu\theta=3e\sin\nu \] has the solution \[ \theta=\frac{3e}{\mu-1}\sin\nu . \]"
     assert not any(one.green for one in verdicts(text).values())
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "wrong"),
+    [
+        (
+            r"The curve $y(x)$ obeys \[ \frac{d^2y}{dx^2} = \kappa y . \] Therefore"
+            r" \[ y'' = %s\kappa y . \]",
+            "",
+            "-",
+        ),
+        (
+            r"We want the solutions of \[ (4z - 2y)\frac{dz}{dy} + 2y - 2z = 0 . \] The solution is"
+            r" \[ y^2 %s yz + 2z^2 = K . \]",
+            "-2",
+            "-3",
+        ),
+    ],
+)
+def test_an_equation_of_a_curve_is_a_law_of_its_own(text, right, wrong):
+    assert [one.green for one in verdicts(text % right).values()] == [True]
+    assert [*verdicts(text % wrong).values()] == [Verdict.REFUTED]
