@@ -19,7 +19,7 @@ _AT_TIME = re.compile(r"\s*(?:\\left\s*)?\(\s*t\s*(?:\\right\s*)?\)\s*$")
 _VALUE = re.compile(r",|^\s*(?:\d+|t_\w|t_\{\w+\})\s*$")
 """What is no factor in brackets, but an argument."""
 _PRIMED = re.compile(rf"(?<![A-Za-z\\])({NAME})\s*'+\s*&?\s*=")
-_GIVES = re.compile(r"\s*(?:\\(?:begin|label)\s*\{[^{}]*\}\s*)*&?\s*")
+_GIVES = re.compile(r"^\s*(?:\\(?:begin|label)\s*\{[^{}]*\}\s*)*&?\s*")
 
 
 def with_own_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
@@ -32,7 +32,7 @@ def with_own_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     moving = moving_names(formulas) | {name for tex in texts for name in _PRIMED.findall(tex)}
     given: dict[str, frozenset[str]] = {}
     for tex in texts:
-        found = _APPLIED.match(tex, _GIVES.match(tex).end())  # type: ignore[union-attr]
+        found = _APPLIED.match(tex, len(tex) - len(_GIVES.sub("", tex, count=1)))
         right = tex[found.end() :].lstrip(" &") if found else ""
         if found and right.startswith("=") and (by := _arguments(found["by"], moving)):
             if by != {_TIME} or {*names_in(right)} & {*moving, *given}:
