@@ -487,8 +487,8 @@ def uncovered(reading: Reading) -> list[Uncovered]:
     rests = [f for f in judged if isinstance(f.claim, RestPoint | RestPoints)]
     kinds |= {(f.item.sentence, "rest") for f in rests}
     kinds |= {(f.item.sentence, "period") for f in judged if isinstance(f.claim, Period)}
-    of_maps = (f for f in judged if f.role.kind == "integral" and isinstance(f.claim, OfMap))
-    kinds |= {(f.item.sentence, "invariant") for f in of_maps}
+    integrals = (f for f in judged if f.role.kind == "integral")
+    kinds |= {(f.item.sentence, "invariant") for f in integrals if "nvarian" in f.role.reason}
     kinds |= {
         (f.item.sentence, "all rest")
         for f in rests

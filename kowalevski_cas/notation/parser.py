@@ -154,19 +154,23 @@ class Parser(Derivatives):
         return factors
 
     def under_slash(self, left: Piece) -> Piece:
-        r"""What stands under a slash: a factor, or a number with the letters right behind it.
+        r"""What stands under a slash: a factor, with the letters right behind it if these end there.
 
-        So :math:`p^2/2m` is no half of a product; of :math:`1/2m` it is not known.
+        So :math:`p^2/2m` is no half of a product, and :math:`eB/mc` has two letters below; of
+        :math:`1/2m` and :math:`g/l\,x` it is not known.
         """
         first = self.tokens[self.at]
         below = [self.number(self.factor())]
-        while (
-            first.kind == "number"
-            and not isinstance(left[0], Number)
-            and self.tokens[self.at].kind == "letter"
-            and not self.tex[below[-1][2] : self.tokens[self.at].start].strip()
-        ):
+        alone = self.at
+        if isinstance(left[0], Number) or len(first.text) > 1 and first.kind != "number":
+            return below[0]
+        while (token := self.tokens[self.at]).kind == "letter":
+            between = self.tex[below[-1][2] : token.start]
+            if between.strip() if first.kind == "number" else between or len(token.text) > 1:
+                break
             below.append(self.factor())
+        if first.kind != "number" and self.starts():
+            self.at, below = alone, below[:1]
         return _product(below)
 
     def beside(self, left: Piece) -> Piece:

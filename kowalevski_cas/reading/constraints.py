@@ -232,6 +232,8 @@ def unbound_multiplier(known: Known, constants: Collection[str]) -> str:
 def _pulls(row: SourceStatement, name: str, known: Known) -> bool:
     """Whether a name stands in an equation of motion as a multiplier does."""
     nodes = [*row.formula.nodes()] if row.formula is not None else []
+    if not any(Name(name) in one.children() for one in nodes if not isinstance(one, Application)):
+        return False  # it is an angle
     terms = [node for node in nodes if isinstance(node, Product) and Name(name) in node.factors]
     factors = [one for term in terms for one in term.factors]
     if max(row.rates.values(), default=0) > 1:

@@ -61,6 +61,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     told_by = _told_in_words(formulas, text)
     timed = _told_of_time(formulas, text) | {one for one, by in told_by.items() if by == TIME}
     moving = set[str]().union(*map(_rated, texts)) | {TIME}
+    dotted = set[str]().union(*map(names_under_dots, texts))
     given = {
         name
         for place, tex in enumerate(texts)
@@ -76,7 +77,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
             if {*by} <= moving | given:
                 lists[name][section].add(by)
                 orders[name] = max(order, orders[name])
-                sure |= {name} if order or _says(tex, name) else set()
+                sure |= {name} if order or {*by} <= moving or _says(tex, name) else set()
     alone = timed - lists.keys()
     found = [Unknown(name, (TIME,), _order(name, texts)) for name in sorted(alone)]
     for name, one in told_by.items():
@@ -89,7 +90,9 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
             found.append(Unknown(name, (TIME,), max(orders[name], _order(name, texts))))
             continue
         told = name in sure and (TIME,) not in every
-        if not several and _may_be_any(name, given, texts) and (told or not _alone(name, texts)):
+        primed = {by for one in every for by in one} <= dotted
+        may_be = not several and _may_be_any(name, given, texts, primed)
+        if may_be and (told or not _alone(name, texts)):
             found += [Unknown(name, by, orders[name]) for by in every]
     return (*found, *_with_gradients(texts, {*given, *lists}))
 
@@ -307,12 +310,18 @@ def _alone(name: str, texts: Iterable[str]) -> bool:
     )
 
 
-def _may_be_any(name: str, given: Iterable[str], texts: Sequence[str]) -> bool:
-    """Whether a name is a letter that nothing gives, in one type, and without printed rates."""
+def _may_be_any(
+    name: str, given: Iterable[str], texts: Sequence[str], primed: bool = False
+) -> bool:
+    """Whether a name is a letter that nothing gives, in one type, and without printed rates.
+
+    Primes without an argument behind them are rates, if it is not ``primed`` by its argument.
+    """
     own = re.escape(name)
+    primes = "" if primed else rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()"
     rated = re.compile(
         rf"\\d{{1,3}}ot\s*\{{?\s*{own}(?![A-Za-z])|d(?:\s*\^\s*\d)?\s*{own}\s*\}}?\s*(?:\{{|/)\s*d\s*t"
-        rf"|(?<![A-Za-z\\]){own}'+(?!['\s^{{}}\d]*(?:\\left\s*)?\()|{_TYPES}\s*\{{?\s*{own}(?![A-Za-z])"
+        rf"|{_TYPES}\s*\{{?\s*{own}(?![A-Za-z]){primes}"
     )
     letter = is_known(symbol(name).letter) and not symbol(name).is_bold
     known = {*given, *FUNCTIONS, *LETTERS, "d", "e", "i"}

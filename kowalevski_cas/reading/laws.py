@@ -135,7 +135,7 @@ def _in_order(items: Sequence[SourceStatement]) -> list[SourceStatement]:
 
 
 _SETS_UP = re.compile(
-    r"\W*(?:(?:now|here|we|теперь)\s+)*(?:let|consider|suppose|given|пусть|рассмотрим)[\s:~]*",
+    r"\W*(?:(?:now|here|we|теперь|the|equation)\s+)*(?:let|consider|suppose|study|given|пусть|рассмотрим)(?:\s+the\s+(?:\w+\s+)?(?:equation|oscillator|system|problem))?[\s:~]*",
     re.IGNORECASE,
 )
 """Words of a sentence that begins with equations of motion."""

@@ -32,7 +32,14 @@ AT_TIMES = re.compile(
 """Words for a place, or a time, of which something may be said alone."""
 
 
+_CONJUGATE = (
+    r"(?:canonically\s+)?(?:conjugate|corresponding|associated|сопряж[её]нн\w+)\s+(?:(?:to|with|с)\s+)?"
+    r"(?:the\s+)?(?:\w+\s+){0,2}"
+)
+"""Words behind a momentum that say of which coordinate it is one."""
+_OF_COORDINATE = re.compile(rf"{_CONJUGATE}$", re.IGNORECASE)
 _AND = re.compile(
+    rf"(?:[\s,~]*{_CONJUGATE}§)?"
     r"(?:[\s,~]*\b(?:unlike|in\s+contrast\s+(?:to|with)|as\s+opposed\s+to|rather\s+than|в\s+отличие\s+от)\s+(?:\w+\s+){0,3}§\s*,)?"
     r"[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?(?:§[\s,;~]*(?:(?:and|or|и|или)[\s~]*)?)*",
     re.IGNORECASE,
@@ -191,7 +198,9 @@ _SEVERAL = re.compile(
 )
 """How words end behind which several integrals are listed."""
 _LISTED = re.compile(
-    r"\b(?:integrals|интегралы)\s*(?:are|:|[-—–]+)?\s*(?:§[\s,;]*)+(?:and|и)\s*$", re.IGNORECASE
+    r"\b(?:(?:integrals|интегралы)\s*(?:are|:|[-—–]+)?|(?<!not\s)(?:con|pre)serves?\s+(?:\w+\s+){0,4})\s*"
+    r"(?:§[\s,;]*)+(?:and|и)\s*$",
+    re.IGNORECASE,
 )
 """How words end behind which the last of several integrals stands."""
 
@@ -205,11 +214,13 @@ _ONE_IS = re.compile(
 
 def integral_words(item: SourceStatement) -> str:
     """The words near a statement that call it an integral, if no other words stand between."""
+    if _OF_COORDINATE.search(item.lead):
+        return ""
     if said := said_again(item, "integral"):
         return said
     tail = "" if _ONE_IS.match(item.after) else joined_tail(item)[:60]
     if not re.match(r"[\s,]*(?:which|whence|where|with|that|откуда|где|котор)", tail) and (
-        said := cue("integral", tail)
+        said := cue("integral", f"{tail} ;")  # not of what stands behind these words
     ):
         deduced = last_cue("claim", _CLAUSE.split(item.lead[-30:])[-1]) >= 0
         if not (deduced and item.typed.inline) or words_behind(item, "integral"):
@@ -286,8 +297,9 @@ _SUCH = re.compile(
     r"\b(?:such|these|those|other|another)\b|\b(?:так|эт|друг)(?:их|ого|ой|ом)\b", re.IGNORECASE
 )
 """Words for some motions only, or for other ones."""
-_CYCLIC = re.compile(
-    r"§[\s~]*(?:is|being)\s+(?:then\s+|also\s+)?(?:an?\s+)?(?:cyclic|ignorable)\b"
+CYCLIC = re.compile(
+    r"§[\s~]*(?:is|being)\s+(?:then\s+|also\s+|therefore\s+)?(?:an?\s+)?(?:cyclic|ignorable)\b"
+    r"|\b(?:cyclic|ignorable)\s+(?:coordinate|variable|angle)s?[\s~]*§"
     r"|§[\s~]*(?:[-—]+|является)?\s*циклическ\w+|\bциклическ\w+\s+координат\w+[\s~]*§",
     re.IGNORECASE,
 )
@@ -302,7 +314,7 @@ def is_deduced_level(item: SourceStatement) -> bool:
     if cue("place", item.words) or _SUCH.search(item.before):
         return False
     concluded = _HENCE.fullmatch(item.before) or _SUMMED.search(item.before)
-    of_cyclic = item.rates and _CYCLIC.search(item.before)
+    of_cyclic = item.rates and CYCLIC.search(item.before)
     return bool(concluded or _CURVES.search(item.lead) or of_cyclic)
 
 

@@ -37,6 +37,7 @@ from kowalevski_cas.reading.dimensions import Misscaled, misscaled
 from kowalevski_cas.reading.doubts import doubt_of
 from kowalevski_cas.reading.energies import OF_ENERGY, claims_of_energies
 from kowalevski_cas.reading.grammar import wrong
+from kowalevski_cas.reading.ignorable import claims_of_ignorable
 from kowalevski_cas.reading.in_words import claims_in_words
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, UNIT_MATRIX, StatementRole
 from kowalevski_cas.reading.law import Law
@@ -196,6 +197,7 @@ class _DerivationReader:
             *others,
             *claims_of_maps(parts),
             *claims_of_energies(parts),
+            *claims_of_ignorable(parts),
             *claims_of_origins(parts),
             *claims_of_constraints(parts),
             *claims_of_volumes(parts),

@@ -101,7 +101,9 @@ from kowalevski_cas.reading.unknowns import unknown
 from kowalevski_cas.reading.unprinted_systems import of_another_system, of_related_law
 from kowalevski_cas.reading.which_system import of_several
 
-_BELONGING = re.compile(r"\b(?:of|in|for|by|with|on)[\s~]*(?:the\s+)?(?:\w+\s+)?$")
+_BELONGING = re.compile(
+    r"\b(?:of|in|for|by|with|on|to|along|about|conjugate|corresponding|associated)[\s~]*(?:the\s+)?(?:\w+\s+){0,2}$"
+)
 """How words end behind which something belongs to a name, and is spoken of itself."""
 
 _OF_MEASURE = re.compile(

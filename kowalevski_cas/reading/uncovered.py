@@ -66,7 +66,7 @@ STATES: dict[str, str] = {
         \bperiodic\w* \basymptotic\w+ \b(?:un)?bounded\b \bescapes?\b \bmonoton\w+
         периодич\w+ асимптотич\w+ (?:не)?ограничен\w+ монотонн\w+""",
     "independence": r"""
-        \b(?:functionally\s+)?independent\b \bindependence\b \bdependent\b
+        \b(?:functionally\s+)?independent\b \bindependence\b (?<!-)\bdependent\b
         \bdepends?\s+on\s+(?:each\s+other|one\s+another)\b
         независим(?:ы|ость)\w* \bзависим\w+""",
     "otherwise": r"""
@@ -90,6 +90,7 @@ STATES: dict[str, str] = {
         \binvariants?\s+(?:of|under)\s+(?:the\s+|this\s+|our\s+)?(?:\w+\s+)?map(?:ping)?\b
         \bintegral(?:s\b|\b(?!\s+(?:equation|curve|sign))) \bconserved\b \bpreserved\b
         (?:is|are|remains?|stays?)\s+(?:\w+\s+)?constant\b(?!\s+values?\s+of)
+        \bdo(?:es)?\s+not\s+(?:con|pre)serve\b
         constant\s+(?:along|on)\b integrable интеграл\w* сохраня\w+ постоян(?:на|но|ны|ен)\b""",
     "invariant": r"""
         \binvarian\w+ инвариантн\w+""",
@@ -118,7 +119,7 @@ STATES: dict[str, str] = {
         purely\s+imaginary \breal\b \bcomplex\b \bpositive\b \b(?:non-?)?negative\b веществен\w+
         мним\w+ действительн\w+ положительн\w+ отрицательн\w+""",
     "degree": r"""
-        \b(?:linear|quadratic|cubic|quartic|(?<!characteristic\s)polynomial|rational|elliptic(?!\s+(?:coordinate|function|cylind)|al)|homogeneous)\b
+        \b(?:linear|quadratic|cubic|quartic|(?<!characteristic\s)polynomial|rational|elliptic(?!\s+(?:coordinate|function|cylind)|al)|homogeneous(?!\s+(?:\w+\s+){0,2}(?:fields?|rods?|spheres?|balls?|bod(?:y|ies)|dis[ck]s?|cylinders?|plates?|rings?|medium|fluid|liquid|gravity)\b))\b
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
         эллиптическ\w+(?!\s+(?:координат|функци))""",
     "limit": r"""

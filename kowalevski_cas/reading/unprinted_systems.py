@@ -244,7 +244,7 @@ def of_related_law(item: SourceStatement, known: Known) -> str:
             one.formula.name if isinstance(one.formula, Name) else next(iter(one.bare), "")
             for one in given
         }
-        own = {name for law in laws for name in law.mentions} | {*HAMILTONIANS}
+        own = {name for law in laws for name in (*law.mentions, *law.variables)} | {*HAMILTONIANS}
         return "flow of another function" if given and not heads & own else ""
     alike = found["alike"]
     if alike is not None and _COMES_OUT.search(item.before, 0, found.start("alike")):

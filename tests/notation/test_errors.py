@@ -67,6 +67,8 @@ def test_an_undeclared_name_is_shown_with_its_neighbours():
         (r"\partial a", "a derivative is expected here"),
         (r"\sqrt[n]{a}", "print the order of a root as a number above 1"),
         ("1/2d", "does this stand under the slash? set brackets, or use \\frac"),
+        ("a/ d d", "does this stand under the slash? set brackets, or use \\frac"),
+        (r"a/dd\sin d", "does this stand under the slash? set brackets, or use \\frac"),
         (r"\frac{d}{d\tau} F a", r"how far does the derivative by \tau reach? set brackets"),
         (r"\frac{d^2F}{d\tau}", "the orders above and below differ"),
         (r"\varphi + a", r"the argument of the function \varphi is missing"),

@@ -88,6 +88,7 @@ ONE_READING = {
     r"\tfrac{a}b": Quotient(a, b),
     r"{\frac{a}{b}}(c)": Product((Quotient(a, b), c)),
     "ab/c": Quotient(Product((a, b)), c),
+    "ab/cd": Quotient(Product((a, b)), Product((c, d))),
     "a/b/c": Quotient(Quotient(a, b), c),
     r"\sqrt k": Root(k),
     r"\sqrt {a /b }": Root(Quotient(a, b)),
