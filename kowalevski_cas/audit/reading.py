@@ -40,7 +40,7 @@ from kowalevski_cas.notation import (
     edits,
     to_latex,
 )
-from kowalevski_cas.paper.claims import Claim, OfMap, Period, RestPoint, RestPoints, Union
+from kowalevski_cas.paper.claims import Claim, Period, RestPoint, RestPoints, Union
 from kowalevski_cas.paper.derivation import Doubt
 from kowalevski_cas.paper.texts import Printed, Texts, edited_formulas
 from kowalevski_cas.processes import each

@@ -154,7 +154,7 @@ class Parser(Derivatives):
         return factors
 
     def under_slash(self, left: Piece) -> Piece:
-        r"""What stands under a slash: a factor, with the letters right behind it if these end there.
+        r"""What stands under a slash: a factor, with the letters right behind it that end it.
 
         So :math:`p^2/2m` is no half of a product, and :math:`eB/mc` has two letters below; of
         :math:`1/2m` and :math:`g/l\,x` it is not known.
@@ -162,7 +162,7 @@ class Parser(Derivatives):
         first = self.tokens[self.at]
         below = [self.number(self.factor())]
         alone = self.at
-        if isinstance(left[0], Number) or len(first.text) > 1 and first.kind != "number":
+        if isinstance(left[0], Number) or (len(first.text) > 1 and first.kind != "number"):
             return below[0]
         while (token := self.tokens[self.at]).kind == "letter":
             between = self.tex[below[-1][2] : token.start]

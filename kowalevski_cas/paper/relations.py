@@ -9,7 +9,7 @@ from fractions import Fraction
 from kowalevski_cas.algebra.factors import irreducible_factors
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.algebra.present import formula_in, formula_of
+from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.squares import sum_of_squares
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Relation, read, to_latex
@@ -118,7 +118,9 @@ def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...
     with suppress(Meaningless):
         difference, *more = at.differences(space.equations((relation,)))
         divisors = (at.ring.divisors[index] for index in difference.denominator)
-        printed = tuple(to_latex(formula_in(Element(at.ring, {0: one}, {}))) for one in divisors)
+        printed = tuple(
+            to_latex(formula_of(Element(at.ring, {0: one}, {}), words)) for one in divisors
+        )
         whole = Element(at.ring, difference.parts, {})
         own = [name for name in scene.constants if name not in space.transcendental]
         for name in () if more else own:
@@ -131,8 +133,8 @@ def solve_for_constant(relation: str, scene: Scene) -> tuple[str, tuple[str, ...
                 found = f"{name}^2={to_latex(formula_of(generator**2 - whole / square, words))}"
             elif not slope.is_zero and square.is_zero and not found:
                 rest, below = (
-                    to_latex(formula_in(slope * generator - whole)),
-                    to_latex(formula_in(slope)),
+                    to_latex(formula_of(slope * generator - whole, words)),
+                    to_latex(formula_of(slope, words)),
                 )
                 found = rf"{name}=\frac{{{rest}}}{{{below}}}"  # also where it cancels
         return found, printed

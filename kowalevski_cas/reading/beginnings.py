@@ -213,7 +213,7 @@ def gives_velocity(item: SourceStatement, known: Known) -> bool:
         return False
     free = {n for n in item.names if not known.varies(n) and known.untied([n])}
     spoken_of = (one for one in known.paper.items if isinstance(one.formula, Name))
-    return not any(free & one.names for one in spoken_of if not _is_constant(one))
+    return not any(free & one.names for one in spoken_of if not is_no_more_than_constant(one))
 
 
 def _base(formula: Formula) -> Formula:
@@ -223,6 +223,14 @@ def _base(formula: Formula) -> Formula:
 _CONSTANT = re.compile(r"\b(?:constants?|постоянн\w+)\b", re.IGNORECASE)
 
 
-def _is_constant(item: SourceStatement) -> bool:
-    """Whether words beside a letter call it a constant."""
-    return bool(_CONSTANT.search(f"{item.lead[-40:]} {item.tail[:40]}"))
+_OF_SOMETHING = re.compile(
+    r"\b(?:values?|energ(?:y|ies)|its|their|moment(?:um|a)|has|have|значени\w+|энерги\w+|его|её)\b",
+    re.IGNORECASE,
+)
+"""Words by which a letter is the constant of something that is known."""
+
+
+def is_no_more_than_constant(item: SourceStatement) -> bool:
+    """Whether words beside a letter call it a constant, and of nothing that is known."""
+    words = f"{item.lead[-40:]} {item.tail[:40]}"
+    return bool(_CONSTANT.search(words)) and not _OF_SOMETHING.search(words)

@@ -51,7 +51,7 @@ CUES: dict[str, str] = {
         (?<!not\s)(?<!n't\s)\b(?:con|pre)serv(?:es?|ing)\b(?=(?:[\s~]+(?!measures?|volumes?|areas?|brackets?|forms?|structure)\w+){{0,4}}[\s~]*(?:§|$))
         do(?:es)?\s+not\s+(?:change|depend\s+on\s+(?:the\s+)?time) интеграл\w* сохраня\w+
         (?:is|are|has|have|admits?|possesses|becomes?)\s+(?:then\s+|also\s+)?(?:an?|the)\s+(?:(?!adiabatic|relative|integral)[\w–-]+\s+){{0,2}}invariants?(?=[\s~]*(?:[.,;:§]|$|of\s+(?:the\s+)?(?:motion|flow|system|equations?|dynamics)))
-        \bthe\s+(?:(?!adiabatic|relative|integral)[\w–-]+\s+){{1,2}}invariant\s+(?:is|reads|has\s+the\s+form|takes\s+the\s+form)(?=[\s:~]*(?:§|$))
+        \b(?:an?|the)\s+(?:(?!adiabatic|relative|integral)[\w–-]+\s+){{1,2}}invariant\s+(?:of\s+(?:the\s+)?(?:motion|flow|system|equations?)\s+)?(?:is|reads|has\s+the\s+form|takes\s+the\s+form)(?=[\s:~]*(?:§|$))
         постоян(?:на|но|ны|ен)\b не\s+меня\w+""",
     "restated": r"""
         \bin\s+(?:(?:the|their|its)\s+)?(?:cartesian\s+|scalar\s+)?components?\b \bcomponentwise\b

@@ -35,13 +35,14 @@ class StatementRole(NamedTuple):
     """What a statement is for its paper, with the reason in words.
 
     ``kind`` says what is claimed, or why that is not judged; ``names`` are those that it defines,
-    or that it gives values to.
+    or that it gives values to; ``value`` is that of an integral, among other terms.
     """
 
     name: str
     reason: str
     kind: str = ""
     names: tuple[str, ...] = ()
+    value: str = ""
 
 
 LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION = (
@@ -200,7 +201,7 @@ class Known:
     def levels(self) -> set[str]:
         """The names of the values of integrals: they stand for what moves, and are constant."""
         own = (one for one in self.roles.values() if one.kind == "integral" or one.name == LEVEL)
-        return {name for role in own for name in role.names}
+        return {name for role in own for name in (*role.names, role.value) if name}
 
     def law_of(self, item: SourceStatement) -> Law | None:
         """The law of which a statement is a part."""

@@ -6,10 +6,12 @@ import re
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum, to_latex, total
+from kowalevski_cas.reading.beginnings import is_no_more_than_constant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, NOTATION, Known, StatementRole
 from kowalevski_cas.reading.phrases import integral_words, plain
 from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.suppositions import supposing
 from kowalevski_cas.reading.unprinted import unprinted
 
 
@@ -26,11 +28,13 @@ def level(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if _separates(item, name, known):
         why = f"gives the constant {plain(name)}, which others beside it have too"
-        return StatementRole(CLAIM, why, "integral")
+        return StatementRole(CLAIM, why, "integral", value=name)
+    if _is_integrated(item, name, known):
+        return StatementRole(CLAIM, f"gives the constant {plain(name)}", "integral", value=name)
     if cue("deduced", item.lead) or name in known.later or not (said := integral_words(item)):
         return None
     why = f"“{said}” stands beside it; {plain(name)} is its value"
-    return StatementRole(CLAIM, why, "integral")
+    return StatementRole(CLAIM, why, "integral", value=name)
 
 
 def _separates(item: SourceStatement, name: str, known: Known) -> bool:
@@ -45,14 +49,27 @@ def _separates(item: SourceStatement, name: str, known: Known) -> bool:
     return len(beside) > 1 and all(of_motion) and not any(name in one.bare for one in beside)
 
 
+def _is_integrated(item: SourceStatement, name: str, known: Known) -> bool:
+    """Whether an equation has velocities, and a constant of which words say no more than that."""
+    near = (
+        one
+        for one in known.paper.items
+        if one.order < item.order or one.paragraph == item.paragraph
+    )
+    spoken_of = (one for one in near if one.formula == Name(name))
+    alone = all(map(is_no_more_than_constant, spoken_of))
+    given = not all(one.typed.inline and supposing(one) for one in known.later.get(name, ()))
+    return alone and not given and bool(item.rates) and not cue("suppose", item.lead)
+
+
 def levels_apart(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
     """These equations with the value alone on a side, by which it is defined."""
     for item, role in [*known.roles.items()]:
-        own = role.kind == "integral" and not role.names and item in known.items
-        found = _apart(item, known) if own and _is_of_state(item, known) else []
-        if len(found) != 1:
+        if not role.value or item not in known.items:
             continue
-        ((name, tex),) = found
+        name, tex = role.value, dict(_apart(item, known)).get(role.value)
+        if tex is None:
+            continue
         id = re.sub(r"\W+", "-", f"value-{name}-{item.order}{suffix}")
         new = unprinted(known.paper, id, tex, item, f"{item.printed.place} says it")
         known.apart[item] = new

@@ -16,29 +16,58 @@ from kowalevski_cas.reading.unprinted import unprinted
 CALLED_ENERGY = "called the energy"
 """The kind of a convention that a letter is the energy: it may be a multiple of it."""
 
-_BY = re.compile(r"(?:\b(?:denote|write)s?\s+by|\bчерез)[\s~]*$", re.IGNORECASE)
 _VALUE = re.compile(
-    r"\s*(?:the\s|обозначим\s)?\s*(?:values?|значение)(?:\s+of)?[\s~]*$", re.IGNORECASE
+    r"\s*(?:for\s+)?(?:the\s|обозначим\s)?\s*(?:(?:constant|fixed|conserved|постоянное)\s+)?(?:values?|значение)(?:\s+of)?[\s~]*$",
+    re.IGNORECASE,
+)
+_CALLS = r"\b(?:call|denot|nam|writ|обознач)\w*\s+"
+_CALLING = re.compile(
+    r"\b(?:(?:call|denot|nam|writ|обознач)\w*(?:\s+by)?|through|через)[\s~]*$", re.IGNORECASE
+)
+_VALUE_OF = re.compile(
+    rf"(?:{_CALLS}|^\W*)(?:the\s+)?(?:(?:constant|fixed|conserved|постоянное)\s+)?(?:value|значение)(?:\s+of)?(?:\s+(?:the\s+)?\w+)?[\s~]*$",
+    re.IGNORECASE,
+)
+_ITS_VALUE = re.compile(
+    rf"{_CALLS}(?:its|the|его|её)\s+(?:(?:constant|fixed|conserved|постоянное)\s+)*(?:value|constant|значение)(?:\s+(?:by|as|через))?[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end before a letter that is the value of what stands before it."""
+_HAS_VALUE = re.compile(
+    r"[\s~,]*\b(?:ha(?:s|ve)|having|tak(?:es?|ing)|assum(?:es?|ing)|with|принимает|имеет)\s+(?:then\s+)?(?:the|an?)?\s*"
+    r"(?:(?:constant|fixed|conserved|given|постоянное)\s+)*(?:value|constant|значение)[\s~]*",
+    re.IGNORECASE,
+)
+"""Words between a function and the letter of its value."""
+_BY_ALONE = re.compile(
+    r"[\s~]*(?:(?:is|will\s+be)\s+(?:denoted|called|written)\s+)?(?:by|as|через)?[\s~]*",
+    re.IGNORECASE,
 )
 _IS_VALUE = re.compile(
-    r"[\s~]*(?:(?:is|denotes|being|stands\s+for|есть|[-—–]+)\s+)(?:the\s+)?"
+    r"[\s~]*(?:(?:is|be|denotes|being|stands\s+for|есть|[-—–]+)\s+)(?:the\s+)?"
     r"(?:(?:constant|fixed|initial|conserved|given|постоянное|начальное)\s+)?(?:value|constant|значение|постоянная)"
     r"(?:\s+of)?(?:\s+(?:the\s+)?(?:\w+\s+){0,2}(?:energy|integral|function|Hamiltonian|momentum|интеграла|функции|гамильтониана))?[\s~]*$",
     re.IGNORECASE,
 )
 """Words between a letter and a function that call it the value of this."""
 _IS_ENERGY = re.compile(
-    r"[\s~]*(?:(?:is|denotes|being|есть|[-—–]+)\s+)(?:the\s+)?(?:(?:constant|value|total|полная|постоянная|значение)\s+)*"
+    r"[\s~]*(?:(?:is|be|denotes|being|есть|[-—–]+)\s+)(?:the\s+)?(?:(?:constant|value|total|полная|постоянная|значение)\s+)*"
     r"(?:(?:of\s+)?(?:the\s+)?(?:total\s+)?energy(?:\s+(?:constant|integral))?|энерги[ия]|интеграла\s+энергии)[\s~]*(?=[.,;)]|$)",
     re.IGNORECASE,
 )
 """Words behind a letter that call it the energy."""
+_WITH_ENERGY = re.compile(
+    r"\b(?:with|of|at|having)\s+(?:the\s+)?(?:(?:given|fixed|total|constant)\s+)*energy[\s~]*$"
+    r"|\bdenot\w*\s+the\s+energy(?:\s+constant)?\s+by[\s~]*$|\b(?:с|при)\s+энергией[\s~]*$",
+    re.IGNORECASE,
+)
+"""How words end before a letter for the energy of some motions."""
 _WHERE = re.compile(r"\b(?:where|here|and|with|где|здесь|и|Let|let)[\s~,]*$")
 """How words end before a letter that they explain."""
 _ENDS = re.compile(
     r"[\s~]*(?:(?:along|on)\s+(?:a|an|the|each|every)\s+(?:solution|motion|trajectory|orbit)"
     r"|(?:на|вдоль)\s+(?:решени|движени|траектори)\w+)?[\s~]*"
-    r"(?:[.;)]|,(?!\s*(?:at|on|in|for|when|if|as|при|в|на|когда)\b)|$)",
+    r"(?:[.;)]|(?:we|one|мы)\b|,(?!\s*(?:at|on|in|for|when|if|as|при|в|на|когда)\b)|$)",
     re.IGNORECASE,
 )
 """What stands behind a function of which the value is meant along any motion, and nowhere else."""
@@ -47,14 +76,26 @@ _ENDS = re.compile(
 def named_values(paper: SourcePaper) -> Iterator[SourceStatement]:
     """What words say of names that they give to the value of a function, as equations."""
     for one, other in pairwise(paper.items):
-        if not isinstance(one.formula, Name) or other.formula is None:
+        if one.formula is None or other.formula is None or one.paragraph != other.paragraph:
             continue
-        if isinstance(other.formula, Relation) or one.sentence != other.sentence:
-            continue
-        called = _BY.search(one.lead) and _VALUE.fullmatch(other.lead)
-        called = called or (_WHERE.search(one.lead) and _IS_VALUE.fullmatch(other.lead))
-        if called and _ENDS.match(other.tail):
-            yield _equation(one, to_latex(other.formula), other, paper)
+        if isinstance(other.formula, Name) and (value := _value_before(one, other)):
+            if _ENDS.match(other.tail):
+                yield _equation(other, value, other, paper)
+        elif isinstance(one.formula, Name) and not isinstance(other.formula, Relation):
+            called = _CALLING.search(one.lead) and _VALUE.fullmatch(other.lead)
+            called = called or (_WHERE.search(one.lead) and _IS_VALUE.fullmatch(other.lead))
+            if called and one.sentence == other.sentence and _ENDS.match(other.tail):
+                yield _equation(one, to_latex(other.formula), other, paper)
+
+
+def _value_before(one: SourceStatement, name: SourceStatement) -> str:
+    """The function printed right before a name that words give to its value; empty if none is."""
+    of = _VALUE_OF.search(one.lead) and _BY_ALONE.fullmatch(name.lead)
+    if not (of or _ITS_VALUE.search(name.lead) or _HAS_VALUE.fullmatch(name.lead)):
+        return ""
+    if one.formula is None or not isinstance(one.formula, Relation):
+        return to_latex(one.formula) if one.formula is not None else ""
+    return one.bare[0] if one.bare and one.members[0] == Name(one.bare[0]) else ""
 
 
 def _equation(
@@ -70,8 +111,9 @@ def _energies(known: Known) -> Iterator[SourceStatement]:
     """What words say of letters that they call the energy, where one function is that."""
     energies = [name for name in (*HAMILTONIANS, "E") if known.varies(name)]
     for one in known.items if len(energies) == 1 else ():
-        if isinstance(one.formula, Name) and _WHERE.search(one.lead):
-            if one.formula.name not in energies and _IS_ENERGY.match(one.tail):
+        if isinstance(one.formula, Name) and one.formula.name not in energies:
+            called = _WHERE.search(one.lead) and _IS_ENERGY.match(one.tail)
+            if called or _WITH_ENERGY.search(one.lead):
                 yield _equation(one, energies[0], one, known.paper)
 
 

@@ -527,16 +527,14 @@ def _squares_of_new(item: SourceStatement, known: Known) -> list[str]:
 
 def of_levels(item: SourceStatement, known: Known) -> StatementRole | None:
     """A value that words suppose of an integral, by constants and values of others: “with k=Cn”."""
-    if len(item.members) != 2 or item.derives or not item.typed.inline:
+    if len(item.members) < 2 or item.derives or not item.typed.inline:
         return None
-    first, other = item.members
-    if (
-        not isinstance(first, Name)
-        or not {first.name, *known.varying(other.names())} <= known.levels
-    ):
+    *first, other = item.members
+    names = [one.name for one in first if isinstance(one, Name)]
+    if len(names) < len(first) or not {*names, *known.varying(other.names())} <= known.levels:
         return None
     said = supposing(item)
-    if not said or first.name in other.names():
+    if not said or other.names() & {*names}:
         return None
     if cue("claim", f"{item.lead.rpartition(said)[2]} "):
         return None
@@ -544,7 +542,7 @@ def of_levels(item: SourceStatement, known: Known) -> StatementRole | None:
     kind = "set in force" if cue("lasting", f"{joined_lead(item)} ") else "set of the sentence"
     if kind != "set in force" and isinstance(other, Name) and _is_new(other.name, known):
         kind = NAMED_LEVEL
-    return StatementRole(ASSUMPTION, why, kind, (first.name,))
+    return StatementRole(ASSUMPTION, why, kind, tuple(names))
 
 
 def _is_new(name: str, known: Known) -> bool:

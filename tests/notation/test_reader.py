@@ -211,7 +211,7 @@ def test_a_span_is_the_source_that_printed_the_node():
 @pytest.mark.parametrize(
     "tex",
     [
-        "a/bc",
+        "a/b c",
         r"a/b\cdot c",
         r"\frac{d}{dt} ab",
         r"\Re ab",

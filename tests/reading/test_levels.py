@@ -131,3 +131,42 @@ def test_what_is_preserved_is_listed_and_any_letter_names_its_value(second, gree
 def test_a_letter_of_a_time_is_a_constant_where_nothing_depends_on_it(right):
     words = rf"Let $|\mathbf T|=\tau$. Then \[(\mathbf T+\mathbf S)^2=s^2+{right}+2\,\mathbf S\cdot\mathbf T\] with $|\mathbf S|=s$."
     assert [*verdicts(PAIR + words).values()][-1].green is (right == r"\tau^2")
+
+
+DUFFING = r"Consider the equation \[\ddot x=-kx-\beta x^3 .\] "
+WAVE = r"The profile satisfies \[f'''+6ff'-cf'=0 .\] Integrating once, \[f''=cf-3f^2+a\] with a constant $a$. "
+
+
+@pytest.mark.parametrize("constant", [r"2h", r"C", r"-\kappa", r"\tfrac12c_1"])
+@pytest.mark.parametrize("behind", ["", ", where {} is a constant of integration"])
+def test_a_constant_of_integration_is_the_value_of_an_integral(constant, behind):
+    letter = constant.removeprefix("2").removeprefix("-").removeprefix(r"\tfrac12")
+    words = DUFFING + "Multiplying by the velocity and integrating we get "
+    end = behind.replace("{}", f"${letter}$")
+    text = rf"{words}\[\dot x^2={constant}-kx^2-Bx^4\]{end}."
+    true, false = text.replace("B", r"\tfrac12\beta "), text.replace("B", r"\beta ")
+    assert [one.green for one in verdicts(true).values()] == [True]
+    assert not any(one.green for one in verdicts(false).values())
+
+
+@pytest.mark.parametrize("case", ["Let $a=b=0$. Then", "Let $a=0$ and $b=0$. Then", "For $a=b=0$"])
+def test_a_second_integration_rests_on_the_constant_of_the_first(case):
+    second = r"Multiplying and integrating again, \[(f')^2=-2f^3+cf^2+2af+2b .\] "
+    text = WAVE + second + rf"{case} \[(f')^2=f^2(c-Af) .\]"
+    assert [one.green for one in verdicts(text.replace("A", "2")).values()] == [True] * 3
+    assert [one.green for one in verdicts(text.replace("A", "3")).values()] == [True, True, False]
+    wrong = text.replace("2af", "af")
+    assert [one.green for one in verdicts(wrong).values()][1] is False
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"The energy is $h=\tfrac12\dot x^2+\tfrac12kx^2+\tfrac14\beta x^4$. Then",
+        r"The energy is $E=\tfrac12\dot x^2+\tfrac12kx^2+\tfrac14\beta x^4$. Its value is $h=E$. Then",
+        r"Suppose that",
+    ],
+)
+def test_a_letter_of_which_more_is_known_is_no_new_constant(words):
+    text = DUFFING + rf"{words} \[\dot x^2=3h-kx^2-\tfrac12\beta x^4 .\]"
+    assert not [*verdicts(text).values()][-1:] or not [*verdicts(text).values()][-1].green

@@ -84,3 +84,28 @@ def test_a_letter_is_explained_behind_a_formula_as_the_value_of_a_function(words
 )
 def test_a_letter_that_is_called_otherwise_is_no_such_value(words):
     assert not [*verdicts(FREE + words).values()][-1].green
+
+
+ENERGY = r"""The motion is \[\ddot x=-kx-\beta x^3 .\]
+The energy is \[E=\tfrac12\dot x^2+\tfrac12kx^2+\tfrac14\beta x^4 .\] """
+NAMED = [
+    "We denote its value by $h$.",
+    "Let $h$ be the value of $E$.",
+    "Call $h$ the constant value of $E$.",
+    "The value of $E$ is denoted by $h$.",
+    "We denote the value of $E$ by $h$.",
+    "It is conserved, and we denote its constant by $h$.",
+    "Here $E$ has the constant value $h$.",
+    "We write $h$ for the value of $E$.",
+    "Consider motions with energy $h$.",
+    "Let $h$ be the energy.",
+    "Calling $h$ the value of $E$ we go on.",
+    "We denote the energy constant by $h$.",
+]
+
+
+@pytest.mark.parametrize("words", NAMED)
+def test_the_name_of_a_value_is_no_name_of_a_multiple_of_it(words):
+    text = rf"{ENERGY}{words} Then \[\dot x^2=Nh-kx^2-\tfrac12\beta x^4 .\]"
+    assert [*verdicts(text.replace("N", "2")).values()][-1].green
+    assert not [*verdicts(text.replace("N", "3")).values()][-1].green
