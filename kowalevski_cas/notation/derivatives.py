@@ -138,9 +138,9 @@ class Derivatives(Atoms):
             return super().factor()
         indexed = self.tokens[self.at + 1].kind == "_"
         if token.text in self.names or (token.text == "d" and (self.lone_d or indexed)):
-            if not self.slash_derivative_begins():
+            if not (below := self.slash_derivative_begins()):
                 return super().factor()
-            if token.text in self.names:
+            if token.text in self.names and below not in self.vocabulary.times:
                 raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
         if indexed:
             return self.subscripted()
@@ -186,17 +186,18 @@ class Derivatives(Atoms):
         time = letter.kind == "letter" and letter.text in self.vocabulary.times
         return self.tokens[self.at].text == "d" and time and not self.slash_derivative_begins()
 
-    def slash_derivative_begins(self) -> bool:
-        """Whether a derivative with a slash begins here, as dx/dt."""
+    def slash_derivative_begins(self) -> str:
+        """The letter by which a slash derives, if a derivative begins here, as dx/dt; or nothing."""
         start, level = self.at, self.level
         try:
             self.at += 1
             self.order()
             super().factor()
             behind = self.tokens[self.at : self.at + 3]
-            return [t.text for t in behind[:2]] == ["/", "d"] and behind[2].kind == "letter"
+            derives = [t.text for t in behind[:2]] == ["/", "d"] and behind[2].kind == "letter"
+            return behind[2].text if derives else ""
         except NotationError:
-            return False
+            return ""
         finally:
             self.at, self.level = start, level
 

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     Partial,
+    PoissonBracket,
     Product,
     Quotient,
     Sum,
@@ -105,6 +106,8 @@ class Brackets:
         """A printed bracket with all values of its indices, as brackets of variables."""
         setting = self.setting
         formula, arguments = setting.definition(name), head(name)[1]
+        if any(isinstance(node, PoissonBracket) for node in formula.nodes()):
+            raise Meaningless(f"the bracket of {' and '.join(arguments)} is given by brackets")
         if not any(map(is_indexed, arguments)):
             moving = setting.scene.variables
             coordinates = {*moving, *map(rate_name, moving)}

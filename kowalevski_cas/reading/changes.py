@@ -30,7 +30,9 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
     """The law in the new names by which sentences behind it give some of its variables.
 
     There are as many new names as variables that are given: else it is a set that they describe.
+    Momenta that are given by new ones and by new coordinates before them are changed with these.
     """
+    found: list[Law] = []
     seen = {*law.mentions, *law.variables, PI}
     for item in items:
         if item.order <= law.order:  # what implies it stands beside it
@@ -68,7 +70,14 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         for names in ([] if timed else [*new], [name for name in new if name in rated]):
             own = giving if len(names) == len(given) else _on_a_set(giving, names)
             if own and {*names} - lengths:  # a length alone is given before
-                yield Law((), law.names, base=law, change=tuple(own), new=(*names,))
+                by = {name for one in own for name in one.members[1].names()}
+                first = next((one for one in reversed(found) if by & {*one.new}), None)
+                more = first is not None and {*first.given}.isdisjoint(given)
+                change, old = (first.change, first.new) if first and more else ((), ())
+                found.append(
+                    Law((), law.names, base=law, change=(*change, *own), new=(*old, *names))
+                )
+                yield found[-1]
                 break
         for one in sentence:
             seen |= one.names

@@ -58,6 +58,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     In another section a letter may be a function of something else.
     """
     texts = [_apart(one.tex) for one in formulas]
+    times = _other_times(one.tex for one in formulas)
     told_by = _told_in_words(formulas, text)
     timed = _told_of_time(formulas, text) | {one for one, by in told_by.items() if by == TIME}
     moving = set[str]().union(*map(_rated, texts)) | {TIME}
@@ -73,7 +74,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     sure: set[str] = set()
     for formula, tex in zip(formulas, texts, strict=True):
         section = sum(1 for _ in _SECTION.finditer(text, 0, formula.start))
-        for name, by, order in _applications(tex):
+        for name, by, order in _applications(tex, times):
             if {*by} <= moving | given:
                 lists[name][section].add(by)
                 orders[name] = max(order, orders[name])
@@ -133,13 +134,28 @@ def _apart(tex: str) -> str:
     return _RUN.sub(lambda found: f"{found[0]} " if len(found[0]) == 1 else found[0], tex)
 
 
-def _applications(tex: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
-    """The names with arguments in brackets, and those that are derived by another name."""
+_CLOCK = re.compile(
+    rf"(?<![A-Za-z\\]){_D}\s*(?:t(?![A-Za-z_])|(?P<first>{NAME}))[^=;]*=[^=;]*{_D}\s*(?:t(?![A-Za-z_])|(?P<last>{NAME}))"
+)
+"""What gives another time: differentials of two names on both sides, one of them of t."""
+
+
+def _other_times(texts: Iterable[str]) -> set[str]:
+    """The times that a paper has, with those by which it derives along the motion."""
+    found = (one for tex in texts for one in _CLOCK.finditer(tex))
+    pairs = [one.group("first", "last") for one in found]
+    return {TIME, *(name for pair in pairs if pair.count(None) == 1 for name in pair if name)}
+
+
+def _applications(
+    tex: str, times: Collection[str] = (TIME,)
+) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """The names with arguments in brackets, and those that are derived by what is no time."""
     for match in APPLIED.finditer(tex):
         with suppress(NotationError, ValueError):
             yield match["name"].replace(" ", ""), (*arguments(match["by"]),), len(match["primes"])
     for match in _DERIVED.finditer(tex):
-        if (by := match["by"] or match["at"]) != TIME:
+        if (by := match["by"] or match["at"]) not in times:
             yield match["name"] or match["of"], (by,), 1
 
 

@@ -11,7 +11,7 @@ from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, NOTATION, Known, StatementRole
 from kowalevski_cas.reading.phrases import integral_words, plain
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.suppositions import supposing
+from kowalevski_cas.reading.phrases import supposing
 from kowalevski_cas.reading.unprinted import unprinted
 
 

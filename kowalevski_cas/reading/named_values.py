@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.notation import Name, Relation, to_latex
@@ -73,8 +73,43 @@ _ENDS = re.compile(
 """What stands behind a function of which the value is meant along any motion, and nowhere else."""
 
 
+_JOINED = re.compile(r"[\s,~]*(?:\b(?:and|и)\b)?[\s~]*", re.IGNORECASE)
+_ARE_VALUES = re.compile(
+    r"\s*(?:(?:be|are|denote|being|stand\s+for|суть|[-—–]+)\s+)?(?:the\s+)?"
+    r"(?:(?:constant|fixed|conserved|respective|постоянные)\s+)*(?:values|constants|значения)(?:\s+of)?"
+    r"(?:\s+(?:the\s+)?(?:\w+\s+)?(?:integrals|functions|интегралов|функций))?[\s~]*",
+    re.IGNORECASE,
+)
+"""Words between letters and as many functions that call them the values of these."""
+
+
+def _runs(items: Sequence[SourceStatement]) -> Iterator[list[SourceStatement]]:
+    """The formulas that nothing but commas, or “and”, joins, one sentence after the other."""
+    run: list[SourceStatement] = []
+    for one in items:
+        if run and not (run[-1].sentence == one.sentence and _JOINED.fullmatch(one.lead)):
+            yield run
+            run = []
+        run.append(one)
+    yield from [run] if run else []
+
+
+def _several_values(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """What words say of several names at once: “let h and k be the values of H and K”."""
+    for own, others in pairwise(_runs(paper.items)):
+        alike = len(own) == len(others) > 1 and own[0].sentence == others[0].sentence
+        if not (alike and _ARE_VALUES.fullmatch(others[0].lead) and _ENDS.match(others[-1].tail)):
+            continue
+        called = _CALLING.search(own[0].lead) or _WHERE.search(own[0].lead)
+        for one, other in zip(own, others, strict=True) if called else ():
+            of = other.formula
+            if isinstance(one.formula, Name) and of is not None and not isinstance(of, Relation):
+                yield _equation(one, to_latex(of), other, paper)
+
+
 def named_values(paper: SourcePaper) -> Iterator[SourceStatement]:
     """What words say of names that they give to the value of a function, as equations."""
+    yield from _several_values(paper)
     for one, other in pairwise(paper.items):
         if one.formula is None or other.formula is None or one.paragraph != other.paragraph:
             continue

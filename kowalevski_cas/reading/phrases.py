@@ -420,7 +420,9 @@ _CONCLUDES = re.compile(
 
 
 _ANOTHER_CLAUSE = re.compile(
-    r";|[,:]\s*(?:and|but|while|whereas|и|а|но)\s+"
+    r"\b(?:in\s+order\s+)?to\s+(?:find|obtain|get|construct|derive|deduce|establish|look\s+for)\b[^.;:§]*?(?=\b(?:we|one|let|it|this|put|consider)\b)"
+    r"|\b(?:чтобы|для\s+того)\b[^.;:§]*,"
+    r"|;|[,:]\s*(?:and|but|while|whereas|и|а|но)\s+"
     r"(?:(?:it|this|that|they|these|we|one|there|он|она|оно|они|это|мы)\b"
     r"|§\s+(?:moves|obeys|satisfies|oscillates|varies|grows|движется|удовлетворяет|меняется)\b)"
     r"(?!\s+(?:reads?|equals?|(?:is|are)\s+(?:given|equal)|ha(?:s|ve)\s+the\s+form|име\w+|рав\w+))",
