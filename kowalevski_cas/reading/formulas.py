@@ -40,8 +40,10 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.antiderivatives import without_integral
 from kowalevski_cas.reading.compositions import functions_in, maps_in, written_out
 from kowalevski_cas.reading.crosses import matrices_on_vectors
+from kowalevski_cas.reading.free_functions import other_times
 from kowalevski_cas.reading.letters_of_vectors import letters_of_vectors
 from kowalevski_cas.reading.measures import with_divergence, with_jacobian
+from kowalevski_cas.reading.quadratures import without_quadrature
 from kowalevski_cas.reading.ranks import with_ranks
 from kowalevski_cas.source.displays import TypedFormula
 from kowalevski_cas.source.listing import guess
@@ -57,12 +59,13 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     by = derived_in_index(texts)
     known = printed_arguments(texts, letters_of_vectors(formulas))
     moving = set[str]().union(*map(names_under_dots, texts))
+    times = moving | other_times(texts)
     fields = {} if by else functions_of(texts)
     for formula, tex in zip(formulas, without_new_names(texts), strict=True):
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
         tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
-        tex = with_divergence(without_integral(tex), texts)
+        tex = with_divergence(without_quadrature(without_integral(tex), times), texts)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

@@ -58,7 +58,7 @@ def free_functions(formulas: Sequence[TypedFormula], text: str) -> tuple[Unknown
     In another section a letter may be a function of something else.
     """
     texts = [_apart(one.tex) for one in formulas]
-    times = _other_times(one.tex for one in formulas)
+    times = other_times(one.tex for one in formulas)
     told_by = _told_in_words(formulas, text)
     timed = _told_of_time(formulas, text) | {one for one, by in told_by.items() if by == TIME}
     moving = set[str]().union(*map(_rated, texts)) | {TIME}
@@ -140,7 +140,7 @@ _CLOCK = re.compile(
 """What gives another time: differentials of two names on both sides, one of them of t."""
 
 
-def _other_times(texts: Iterable[str]) -> set[str]:
+def other_times(texts: Iterable[str]) -> set[str]:
     """The times that a paper has, with those by which it derives along the motion."""
     found = (one for tex in texts for one in _CLOCK.finditer(tex))
     pairs = [one.group("first", "last") for one in found]

@@ -278,3 +278,38 @@ def test_a_radius_is_given_on_either_side_before_it_is_a_variable(sign):
     )
     text += rf"Setting $u=P\sin\theta$, $v=P\cos\theta$, we obtain \[\ddot\theta={sign}\tfrac12kP^2\sin2\theta .\]"
     assert [*judged(text).values()][-1][1].green is (sign == "+")
+
+
+OSCILLATOR = r"""Consider the Hamiltonian \[H=\frac12(p_x^2+p_y^2)+\frac{\omega^2}2(x^2+4y^2) .\] Hamilton's equations are
+\[\dot x=p_x,\qquad \dot y=p_y,\qquad \dot p_x=-\omega^2x,\qquad \dot p_y=-4\omega^2y .\]
+In parabolic coordinates \[x=\xi\eta,\qquad y=\frac12(\xi^2-\eta^2) .\] The momenta transform as
+\[p_x=\frac{\eta p_\xi+\xi p_\eta}{\xi^2+\eta^2},\qquad p_y=\frac{\xi p_\xi-\eta p_\eta}{\xi^2+\eta^2} .\] """
+SEPARATED = r"""Let $h$ and $\kappa$ be the values of $H$ and $K=p_x(xp_y-yp_x)+\omega^2x^2y$. Then
+\[p_\xi^2=2h\xi^2-\omega^2\xi^6+2\kappa,\] \[p_\eta^2=2h\eta^2-\omega^2\eta^6-2\kappa .\]"""
+
+
+def test_momenta_that_are_changed_in_a_sentence_of_their_own_go_with_their_coordinates():
+    form = r"The Hamiltonian becomes \[H=\frac{p_\xi^2+p_\eta^2+\omega^2(\xi^6+\eta^6)}{2(\xi^2+\eta^2)} .\]"
+    assert [one.green for one in verdicts(OSCILLATOR + form).values()] == [True]
+    assert [one.green for one in verdicts(OSCILLATOR + form.replace("xi^6", "xi^5")).values()] == [
+        False
+    ]
+
+
+def test_the_values_of_two_integrals_are_named_at_once():
+    text = OSCILLATOR + SEPARATED.replace("$H$ and $K=", "$H$ and $K$, where $K=")
+    assert [one.green for one in verdicts(text).values()][-2:] == [True, True]
+    assert [one.green for one in verdicts(text.replace("6-2", "6+2")).values()][-2:] == [
+        True,
+        False,
+    ]
+
+
+def test_derivatives_by_another_time_may_have_a_slash():
+    text = (
+        OSCILLATOR
+        + r"If $dt=(\xi^2+\eta^2)\,d\tau$, then $d\xi/d\tau=p_\xi$ and $d\eta/d\tau=p_\eta$."
+    )
+    assert [one.green for one in verdicts(text).values()] == [True, True]
+    wrong = text.replace(r"d\xi/d\tau=p_\xi", r"d\xi/d\tau=2p_\xi")
+    assert [one.green for one in verdicts(wrong).values()] == [False, True]

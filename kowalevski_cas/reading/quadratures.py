@@ -1,0 +1,132 @@
+r"""What a quadrature says: :math:`t=\int dx/\sqrt{P}` that the square of the velocity is P.
+
+It is claimed of the square of a rate, for a root has either sign, and where a motion begins is
+said by a constant, or by the lower limit.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.tokens import after_group
+from kowalevski_cas.paper.chains import NAME
+
+_D = r"(?:\\mathrm\s*\{\s*d\s*\}|(?<![A-Za-z\\])d)\s*"
+_GAP = r"(?:\\[,;:!]|\s)*"
+_CONST = r"\\(?:mathrm|text)\s*\{\s*const\.?\s*\}"
+_CONSTANT = rf"(?:{_GAP}[-+]{_GAP}(?:{_CONST}|{NAME}))?"
+_TIMES = rf"(?P<open>\()?{_GAP}(?P<time>{NAME}){_CONSTANT}{_GAP}(?(open)\))"
+_FACTOR = r"(?P<factor>(?:(?!\\int|=|&|\\\\).)*?)"
+_SIGN = rf"(?P<sign>\\int{_GAP}(?:\\limits{_GAP})?)"
+_LEFT = re.compile(
+    rf"(?P<lead>\s*(?:\\label\{{[^{{}}]*\}}\s*)?){_TIMES}{_GAP}={_FACTOR}{_SIGN}", re.DOTALL
+)
+_RIGHT = re.compile(
+    rf"{_GAP}{_CONSTANT}{_GAP}=(?P<factor>(?:(?!\\int|=|&|\\\\)[^=,;])*?){_TIMES}{_GAP}(?=[.;,\s]*$)",
+    re.DOTALL,
+)
+_BEGINS = re.compile(rf"(?P<lead>\s*(?:\\label\{{[^{{}}]*\}}\s*)?)(?P<factor>){_SIGN}", re.DOTALL)
+_LINE = re.compile(r"\\[dt]?frac(?![A-Za-z])")
+_ROOT = re.compile(rf"{_GAP}\\sqrt\s*")
+_END = re.compile(rf"{_CONSTANT}(?P<end>[\s.,;]*)")
+
+
+def without_quadrature(tex: str, times: Collection[str]) -> str:
+    r"""That a rate has the square of what is below, in place of a quadrature by one of some times.
+
+    >>> without_quadrature(r"t-t_0=\int\frac{dx}{\sqrt{2h-x^2}}.", "t")
+    '\\left(\\frac{dx}{dt}\\right)^2=2h-x^2.'
+
+    >>> without_quadrature(r"\int_{a}^{x}\frac{u\,du}{f(u)}=2t", "t")
+    '\\left(\\frac{dx}{dt}\\right)^2=\\frac{\\left(2f(x)\\right)^2}{\\left(x\\right)^2}'
+
+    Between constant limits it is a number, and of another name it is a function.
+
+    >>> without_quadrature(r"T=\int_a^b\frac{dx}{\sqrt{2h-x^2}}", "t")
+    'T=\\int_a^b\\frac{dx}{\\sqrt{2h-x^2}}'
+    """
+    try:
+        return _left(tex, times) or _right(tex, times) or tex
+    except (NotationError, AssertionError):
+        return tex
+
+
+def _left(tex: str, times: Collection[str]) -> str:
+    found = _LEFT.match(tex)
+    if found is None or found["time"] not in times:
+        return ""
+    inner = _integrand(tex, found.end())
+    behind = _END.fullmatch(tex, inner[-1]) if inner else None
+    if inner is None or behind is None:
+        return ""
+    name, above, below, _ = inner
+    above = found["factor"].replace(r"\pm", " ").strip() + above.strip()
+    return found["lead"] + _rate(name, found["time"], above, below, "") + behind["end"]
+
+
+def _right(tex: str, times: Collection[str]) -> str:
+    found = _BEGINS.match(tex)
+    inner = _integrand(tex, found.end()) if found else None
+    if found is None or inner is None:
+        return ""
+    name, above, below, end = inner
+    behind = _RIGHT.match(tex, end)
+    if behind is None or behind["time"] not in times or not _END.fullmatch(tex, behind.end()):
+        return ""
+    factor = behind["factor"].replace(r"\pm", " ").strip()
+    rate = _rate(name, behind["time"], above, below, factor)
+    return found["lead"] + rate + tex[behind.end() :]
+
+
+def _integrand(tex: str, at: int) -> tuple[str, str, str, int] | None:
+    """The name that varies, what stands beside its differential, what is below, and the end."""
+    upper = ""
+    if tex[at : at + 1] == "_":
+        at = after_group(tex, at + 1)
+        if tex[at : at + 1] != "^":
+            return None
+        start, at = at + 1, after_group(tex, at + 1)
+        upper = tex[start:at].strip("{} ")
+    gap = re.compile(_GAP).match(tex, at)
+    line = _LINE.match(tex, gap.end() if gap else at)
+    if line is None:
+        return None
+    middle = after_group(tex, line.end())
+    end = after_group(tex, middle)
+    above, below = (tex[slice(*one)].strip() for one in ((line.end(), middle), (middle, end)))
+    above, below = (
+        above[1:-1] if above[:1] == "{" else above,
+        below[1:-1] if below[:1] == "{" else below,
+    )
+    found = re.fullmatch(rf"(?P<above>.*?){_GAP}{_D}(?P<by>{NAME})\s*", above, re.DOTALL)
+    if found is None or (upper and not re.fullmatch(NAME, upper)):
+        return None
+    own, above = found["by"].strip(), found["above"]
+    if upper and upper != own:
+        above, below = (_renamed(one, own, upper) for one in (above, below))
+    return upper or own, above, below, end
+
+
+def _renamed(tex: str, name: str, other: str) -> str:
+    """A text with another letter for one."""
+    pattern = rf"{re.escape(name)}(?![A-Za-z])|\\[A-Za-z]+|."
+    return re.sub(pattern, lambda m: other if m[0] == name else m[0], tex, flags=re.DOTALL)
+
+
+def _rate(name: str, time: str, above: str, below: str, factor: str) -> str:
+    """The square of a rate, by what stands below and above, and a factor of the time."""
+    root = _ROOT.match(below)
+    if root and not factor and not _outside(below, root.end()):
+        square = below[root.end() :].strip()
+        square = square[1:-1] if square[:1] == "{" else square
+    else:
+        square = rf"\left({factor}{below}\right)^2"
+    over = rf"\frac{{{square}}}{{\left({above.strip()}\right)^2}}" if above.strip() else square
+    return rf"\left(\frac{{d{name}}}{{d{time}}}\right)^2={over}"
+
+
+def _outside(tex: str, at: int) -> str:
+    """What stands behind a group that begins here."""
+    return tex[after_group(tex, at) :].strip()
