@@ -187,7 +187,7 @@ class Derivatives(Atoms):
         return self.tokens[self.at].text == "d" and time and not self.slash_derivative_begins()
 
     def slash_derivative_begins(self) -> str:
-        """The letter by which a slash derives, if a derivative begins here, as dx/dt; or nothing."""
+        """The letter by which a slash derives, where a derivative begins, as dx/dt; or nothing."""
         start, level = self.at, self.level
         try:
             self.at += 1

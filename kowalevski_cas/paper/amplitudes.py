@@ -79,7 +79,7 @@ def conjugate_equations(formulas: Sequence[Formula], moving: Collection[str]) ->
     links = [one for one in formulas if _is_link(one) and not complex_names.isdisjoint(one.names())]
     printed = {name for one in laws for name in _rates(one)}
     new = [
-        to_latex(_conjugate(row, complex_names))
+        to_latex(conjugate_of(row, complex_names))
         for row in (*rows, *links)
         if printed.isdisjoint(map(_other, _rates(row)))
     ]
@@ -108,7 +108,7 @@ def conjugate_images(
         before = len(found)
         found |= {one for pair in images.items() if not found.isdisjoint(pair) for one in pair}
         found |= {new for new, row in rows.items() if not _is_real(row, found)}
-    return [to_latex(_conjugate(row, found)) for new, row in rows.items() if new in found]
+    return [to_latex(conjugate_of(row, found)) for new, row in rows.items() if new in found]
 
 
 def _has_unit(formulas: Sequence[Formula], moving: Collection[str]) -> bool:
@@ -120,8 +120,15 @@ def _has_unit(formulas: Sequence[Formula], moving: Collection[str]) -> bool:
         any(UNIT in one.names() for one in laws),
         not {*_under_bars(formulas)}.isdisjoint(map(_without_bar, moving)),
         SQUARE in formulas,
+        any(_moduli(one) & {*moving} for one in laws),
     ]
     return beside or sum(signs) > 1
+
+
+def _moduli(formula: Formula) -> set[str]:
+    """The names of which a formula has the modulus."""
+    nodes = (node.argument for node in formula.nodes() if isinstance(node, Modulus))
+    return {one.name for one in nodes if isinstance(one, Name)}
 
 
 def _under_bars(formulas: Iterable[Formula]) -> Iterator[str]:
@@ -173,7 +180,7 @@ def _is_real(row: Formula, complex_names: Collection[str]) -> bool:
     """Whether an equation is its own conjugate, where some names are complex."""
     there, other = (
         minus((one.children()[0], one.children()[-1]))
-        for one in (row, _conjugate(row, complex_names))
+        for one in (row, conjugate_of(row, complex_names))
     )
     there, other = _arithmetic(there, complex_names), _arithmetic(other, complex_names)
     names = tuple(sorted((there.names() | other.names()) - {UNIT}))
@@ -183,7 +190,7 @@ def _is_real(row: Formula, complex_names: Collection[str]) -> bool:
     return (left - right).is_zero or (left + right).is_zero
 
 
-def _conjugate(formula: Formula, complex_names: Collection[str]) -> Formula:
+def conjugate_of(formula: Formula, complex_names: Collection[str]) -> Formula:
     """The conjugate of a formula, where some names are complex, and all others are real."""
     match formula:
         case Conjugate(argument):
@@ -196,14 +203,14 @@ def _conjugate(formula: Formula, complex_names: Collection[str]) -> Formula:
             return Name(plain)
         case Modulus() | RealPart() | ImaginaryPart():
             return formula
-    return formula.map_children(lambda child: _conjugate(child, complex_names))
+    return formula.map_children(lambda child: conjugate_of(child, complex_names))
 
 
 def _arithmetic(formula: Formula, complex_names: Collection[str]) -> Formula:
     """A formula with a name for whatever is no operation of arithmetic."""
     match formula:
         case Conjugate(Name() as name):
-            return _conjugate(name, complex_names)
+            return conjugate_of(name, complex_names)
         case Name() | Number():
             return formula
         case Sum() | Negative() | Product() | Quotient() | Power(_, Number()):

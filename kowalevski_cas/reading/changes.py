@@ -11,13 +11,18 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 
-from kowalevski_cas.notation import Name, Number, Product
+from kowalevski_cas.notation import Name, Number, Product, to_latex
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.amplitudes import UNIT, conjugate_name, conjugate_of
 from kowalevski_cas.paper.transcendental import PI
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.polar import radii
-from kowalevski_cas.reading.statements import SourceStatement
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.unprinted import unprinted
+
+CONJUGATE = "the conjugate of what is given by real letters"
+"""Where a statement comes from that gives a conjugate."""
 
 _NEAR = re.compile(
     r"\b(?:about|around|near|neighbou?rhood\s+of|вблизи|около|возле|окрестност\w+)\b[^.;:]*$",
@@ -81,6 +86,27 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
                 break
         for one in sentence:
             seen |= one.names
+
+
+def conjugates_given(
+    law: Law, items: Sequence[SourceStatement], paper: SourcePaper
+) -> Iterator[SourceStatement]:
+    r"""The conjugates of what gives complex variables by new letters, which are real.
+
+    So beside :math:`a=re^{i\varphi}` stands :math:`a^*=re^{-i\varphi}`.
+    """
+    moving = {*law.variables}
+    given = {name for one in items for name in one.bare[:1]}
+    for item in items:
+        name = item.bare[0] if item.bare and len(item.members) == 2 else ""
+        other = conjugate_name(name) if name in moving else ""
+        if other not in moving or other in given or UNIT not in item.names:
+            continue
+        left, right = item.members
+        if left == Name(name) and not item.derives and right.names().isdisjoint(moving):
+            tex = f"{other}={to_latex(conjugate_of(right, moving))}"
+            id = f"conjugate-{item.order}-{item.printed.number}"
+            yield replace(unprinted(paper, id, tex, item, CONJUGATE), sentence=item.sentence)
 
 
 def _on_a_set(giving: Sequence[SourceStatement], names: Sequence[str]) -> list[SourceStatement]:

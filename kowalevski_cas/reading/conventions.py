@@ -17,6 +17,7 @@ from kowalevski_cas.reading.brackets_of_momenta import brackets_by_momenta
 from kowalevski_cas.reading.canonical import momenta
 from kowalevski_cas.reading.distances import distances
 from kowalevski_cas.reading.inertia import tensors_of_inertia
+from kowalevski_cas.reading.changes import CONJUGATE
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.levels import levels_apart
@@ -44,15 +45,16 @@ def enter_conventions(parts: Parts) -> None:
         for item in known.items if place else ():
             parts.cite(item)  # the matrices of elements before it may stand there
         for law in known.laws:
-            why = ANY_MOTION if is_free(law) else IMPLIED
             for item in law.change:
                 if not is_printed(item):
                     parts.places[item] = place
                     gives = item.bare[:1]
-                    parts.enter(item, StatementRole(CONVENTION, POLAR, "change", gives))
+                    why = CONJUGATE if item.printed.display.source == CONJUGATE else POLAR
+                    parts.enter(item, StatementRole(CONVENTION, why, "change", gives))
             if law.radius is not None:
                 parts.places[law.radius] = place
                 parts.enter(law.radius, StatementRole(CONVENTION, "a radius is not negative"))
+            why = ANY_MOTION if is_free(law) else IMPLIED
             for item in law.items:
                 if item not in parts.paper.items and item not in parts.said.rows:
                     parts.places[item] = place

@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 
 from kowalevski_cas.notation import Name
-from kowalevski_cas.reading.changes import find_changes
+from kowalevski_cas.reading.changes import conjugates_given, find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.free_brackets import free_brackets
@@ -197,13 +197,20 @@ class _LawFinder(PrintedRates):
         changed = [
             change
             for law in part
-            for change in find_changes(law, _in_order([*self.polar(law, end), *items]))
+            for change in find_changes(law, self._giving(law, items, end))
             if before.isdisjoint(change.new)
         ]
         for change in changed:
             change.radius = radius_of(change, items, self.paper)
         together = [more for law in part for more in find_together(law, items, self.paper)]
         return [*changed, *together]
+
+    def _giving(
+        self, law: Law, items: Sequence[SourceStatement], end: SourceStatement | None
+    ) -> list[SourceStatement]:
+        """What may give the variables of a law: what is printed, what words say, conjugates."""
+        every = [*items, *conjugates_given(law, items, self.paper)]
+        return _in_order([*self.polar(law, end), *every])
 
     def polar(self, law: Law, end: SourceStatement | None) -> list[SourceStatement]:
         """What gives the coordinates of a law by polar ones of words, up to a statement."""

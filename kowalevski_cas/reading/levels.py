@@ -9,9 +9,8 @@ from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Su
 from kowalevski_cas.reading.beginnings import is_no_more_than_constant
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, NOTATION, Known, StatementRole
-from kowalevski_cas.reading.phrases import integral_words, plain
+from kowalevski_cas.reading.phrases import integral_words, plain, supposing
 from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.phrases import supposing
 from kowalevski_cas.reading.unprinted import unprinted
 
 
