@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from kowalevski_cas.notation import Constant, Name
+from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import LEVEL, Known, StatementRole
 from kowalevski_cas.reading.phrases import plain
@@ -24,7 +25,8 @@ _BEHIND = re.compile(
 )
 """How words begin behind what is constant."""
 _BEFORE = re.compile(
-    r"\b(?:constant|fixed|постоянн\w+)\s+(?:(?:angle|radius|inclination|distance|nutation|value|height|length)\s+)?$"
+    r"\b(?:is|be|are|remains?|stays?)\s+(?:constant|fixed)[\s,:~]*$"
+    r"|\b(?:constant|fixed|постоянн\w+)\s+(?:(?:angle|radius|inclination|distance|nutation|value|height|length)\s+)?$"
     r"|\b(?:circular|conical|regular|steady|stationary|кругов\w+|коническ\w+|регулярн\w+|стационарн\w+)\s+"
     r"(?:motions?|orbits?|precessions?|rotations?|solutions?|trajector\w+|орбит\w*|движени\w+|прецесси\w+)"
     r"(?:[\s,]+(?:of|with|at|where|has|have|the|a|radius|inclination|angle|on|which|we|one|there|is|радиус\w*|с|где|имеем))*"
@@ -32,6 +34,14 @@ _BEFORE = re.compile(
     re.IGNORECASE,
 )
 """How words end before it."""
+_CIRCULAR = re.compile(
+    r"\b(?:on|for|along|in)\s+(?:(?:an?|the|any|every|each|this|such|all)\s+)?(?:stable\s+)?circular\s+"
+    r"(?:orbit|motion|trajector|solution)\w*"
+    r"|\b(?:на|для|вдоль|при)\s+(?:\w+\s+)?кругов\w+\s+(?:орбит|движени|траектори)\w*",
+    re.IGNORECASE,
+)
+"""Words for motions on circles, on which the radius is constant."""
+_RADII = ("r", "\\rho", "R")
 
 
 def kept(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -62,15 +72,24 @@ def kept_before(item: SourceStatement, known: Known) -> list[SourceStatement]:
 
 
 def constancy(item: SourceStatement, known: Known) -> list[SourceStatement]:
-    """The equations by which what a statement has letters for is constant."""
+    """The equations by which what a statement has letters for is constant, or its words say so."""
+    given = [(one, one.bare[0]) for one in kept_before(item, known)]
+    given += [(item, name) for name in _radius_kept(item, known)]
     return [
         unprinted(
             known.paper, f"kept-{one.order}-{item.order}-{k}", f"{dots}=0", one, "is constant"
         )
-        for one in kept_before(item, known)
-        for k in range(1, _order(one.bare[0], known) + 1)
-        for dots in [rf"\{'d' * k}ot{{{one.bare[0]}}}"]
+        for one, name in given
+        for k in range(1, _order(name, known) + 1)
+        for dots in [rf"\{'d' * k}ot{{{name}}}"]
     ]
+
+
+def _radius_kept(item: SourceStatement, known: Known) -> list[str]:
+    """The radius that is constant where words before a statement speak of circular orbits."""
+    names = dict.fromkeys(name for law in known.laws for name in law.variables)
+    found = [name for name in names if symbol(name).letter in _RADII]
+    return found if len(found) == 1 and _CIRCULAR.search(item.before) else []
 
 
 def _order(name: str, known: Known) -> int:
