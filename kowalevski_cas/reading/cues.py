@@ -341,6 +341,17 @@ CUES: dict[str, str] = {
     "rolling": rf"""
         {_NO_SLIP}
         (?:slip|skid)s?\s+sideways non-?holonomic\w* knife[\s-]edge неголономн\w+""",
+    "normalised": r"""
+        \bnormali[sz]\w+\b(?!\s+(?:coordinates?|vectors?|form)) \bmass[\s-]+shell\b
+        \bfour-?(?:velocity|momentum)\b \b4-(?:velocity|momentum)\b
+        \bunit[\s-]+speed\b \bproper\s+time\b \barc[\s-]*length\b
+        \b(?:light|photons?|massless|null|light-?like|time-?like|space-?like|massive)\b
+        \bнормиров\w+ \b4-скорост\w+ \bчетыр[её]хмерн\w+\s+скорост\w+
+        \bсобственн\w+\s+врем\w+ \bдлин\w+\s+дуги
+        \b(?:свет(?!ил)\w*|фотон\w*|изотропн\w+|времениподобн\w+|безмассов\w+)\b""",
+    "of light": r"""
+        \b(?:light|photons?|massless|null|light-?like)\b
+        \b(?:свет(?!ил)\w*|фотон\w*|изотропн\w+|безмассов\w+)\b""",
     "force": r"""
         \bfriction\w* \bdamp(?:s|ed|er|ers|ing)\b \bdissipat\w+ \bviscous\w* \bviscosity\b \bdrag\b
         \b(?:air|aerodynamic)\s+resistance\b \bresist(?:ing|ance\s+of\s+the)\b

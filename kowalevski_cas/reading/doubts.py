@@ -35,6 +35,7 @@ from kowalevski_cas.reading.linear_parts import KIND as EIGENVALUE
 from kowalevski_cas.reading.linear_parts import MATRIX
 from kowalevski_cas.reading.measures import differentials_of_images
 from kowalevski_cas.reading.named_values import CALLED_ENERGY
+from kowalevski_cas.reading.normalised import is_of_other_parameter
 from kowalevski_cas.reading.obey import SAID
 from kowalevski_cas.reading.parts import Parts
 from kowalevski_cas.reading.permuted import has_more_rows
@@ -141,7 +142,7 @@ def doubt_of(
         return None
     if role.kind == "identity" and (_is_of_a_motion(item, known) or _has_one_of_signs(item)):
         return Doubt.ALWAYS
-    if is_varied(item, known):
+    if is_varied(item, known) or is_of_other_parameter(item, known):
         return Doubt.ALWAYS
     told = item.derives or role.kind in ("identity", "constant", "integral")
     read = any(one.sentence == item.sentence for one in rung.on)  # a condition beside the claim

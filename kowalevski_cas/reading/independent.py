@@ -14,6 +14,7 @@ from kowalevski_cas.reading.operators import (
     LETTER,
     RATIO,
     RATIO_BY,
+    TOTAL,
     by_of,
 )
 from kowalevski_cas.source.displays import TypedFormula
@@ -23,14 +24,27 @@ _TOKEN = re.compile(
 )
 _DOT = re.compile(r"\\d{1,4}ot(?![A-Za-z])")
 _PRIME = re.compile(r"'|\\prime")
-_BY_PRIME = re.compile(
-    rf"\b(?:primes?|dash(?:es)?)\b[^.§]{{0,30}}?\b{DERIVATIVE}s?{BY}§"
-    rf"|\b{DERIVATIVE}s?{BY}§[^.§]{{0,40}}?\b(?:primes?|dash(?:es)?)\b"
-    r"|\bштрих\w*\b[^.§]{0,40}?\b(?:производн\w+|дифференцировани\w+)\s+по\s+(?:переменн\w+\s+)?§"
-    r"|\b(?:производн\w+|дифференцировани\w+)\s+по\s+(?:переменн\w+\s+)?§[^.§]{0,40}?\bштрих\w*",
+
+
+def _by_mark(english: str, russian: str) -> re.Pattern[str]:
+    """How words say by what a mark derives; a sign is the formula for it."""
+    derives = rf"{DERIVATIVE}s?{BY}§"
+    derived = r"(?:производн\w+|дифференцировани\w+)\s+по\s+(?:переменн\w+\s+)?§"
+    return re.compile(
+        rf"\b{english}\b[^.§]{{0,30}}?\b{derives}|\b{derives}[^.§]{{0,40}}?\b{english}\b"
+        rf"|\b{russian}[^.§]{{0,40}}?\b{derived}|\b{derived}[^.§]{{0,40}}?\b{russian}",
+        re.IGNORECASE,
+    )
+
+
+_BY_PRIME = _by_mark(r"(?:primes?|dash(?:es)?)", r"штрих\w*")
+_BY_DOT = _by_mark(r"(?:over)?dots?", r"точк\w+")
+_DOT_STANDS_FOR = re.compile(
+    r"\b(?:over)?dots?\b(?:\s+\w+){0,2}?\s+(?:stands?\s+for|denotes?|means?|is|abbreviates?|for)\s+§"
+    r"|\bточк\w+\s+(?:\w+\s+)?(?:означает|обозначает|обозначена?|[-—–]+|есть)\s+§",
     re.IGNORECASE,
 )
-"""How words say by what a prime derives; a mark is the formula for it."""
+"""How words say for what a dot stands, the quotient of differentials behind them."""
 _MARK = re.compile(
     rf"{LABEL}"
     r"(?:\{\s*\})?\s*(?:\^\s*\{?\s*\\prime\s*\}?|'|\\prime"
@@ -54,6 +68,7 @@ _AS_VARIABLE = re.compile(
     re.IGNORECASE,
 )
 """How words say that something is the independent variable from there on."""
+_RATIO_ALONE = re.compile(rf"\s*{RATIO}[\s.,;]*")
 _ALONE = re.compile(r"\s*(?P<by>\\[A-Za-z]+|[A-Za-z])[\s.,;]*")
 TIME = "t"
 
@@ -115,8 +130,50 @@ def with_time(formulas: Sequence[TypedFormula], letter: str) -> Iterator[TypedFo
     for formula in formulas:
         mark = _MARK.fullmatch(formula.tex)
         tex = by_of(mark) if mark else formula.tex
-        tex = _renamed(tex, letter) if letter not in ("", TIME) else tex
+        tex = _renamed(tex, letter, TIME) if letter not in ("", TIME) else tex
         yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+_DOTTED_TIME = re.compile(r"\\d{1,4}ot\s*(?:\{\s*t\s*\}|t(?![A-Za-z]))")
+_RATED_TIME = re.compile(rf"\{{\s*{TOTAL}(?:\s*\^\s*\{{?\s*2\s*\}}?)?\s*t\s*\}}\s*\{{\s*{TOTAL}")
+_CLOCK = re.compile(rf"(?:{_DOTTED_TIME.pattern})\s*&?\s*=\s*&?\s*1(?![\d.])")
+_LETTERS_OF_COORDINATES = (r"\Theta", r"\Upsilon", r"\Xi")
+
+
+def with_coordinate_time(formulas: Sequence[TypedFormula], text: str) -> Iterator[TypedFormula]:
+    r"""The formulas, with another letter for t where that is a coordinate: it has a rate itself.
+
+    As :math:`\dot t` of a geodesic, or :math:`dt/ds` where all is derived by s. The letter by which
+    dots derive there, if quotients or words tell it, becomes t. By :math:`\dot t=1` they are one.
+    """
+    texts = [one.tex for one in formulas]
+    letters = {token for tex in texts for token in _TOKEN.findall(tex)}
+    coordinate = next((one for one in _LETTERS_OF_COORDINATES if one not in letters), "")
+    dotted = any(map(_DOTTED_TIME.search, texts))
+    rated = not any(map(_DOT.search, texts)) and any(map(_RATED_TIME.search, texts))
+    parameter = _parameter(formulas, text) if dotted or rated else ""
+    alone = not any(_BY_TIME.search(tex) for tex in texts)
+    if not (dotted or (parameter and alone)) or any(map(_CLOCK.search, texts)) or not coordinate:
+        yield from formulas
+        return
+    for formula in formulas:
+        tex = _renamed(formula.tex, TIME, coordinate)
+        tex = _renamed(tex, parameter, TIME) if parameter else tex
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def _parameter(formulas: Sequence[TypedFormula], text: str) -> str:
+    """The letter by which all is derived where t is a coordinate, as quotients or words tell it."""
+    texts = [one.tex for one in formulas]
+    ratios = {by_of(one) for tex in texts for one in RATIO_BY.finditer(tex)}
+    letters = ({*_said_of_dots(formulas, text)} or ratios) - {TIME}
+    moved = {one for one in letters if any(_is_other(t, one) or _has_dot(t, one) for t in texts)}
+    return letters.pop() if len(letters) == 1 and not moved else ""
+
+
+def _has_dot(tex: str, name: str) -> bool:
+    own = re.escape(name)
+    return re.search(rf"\\d{{1,4}}ot\s*(?:\{{\s*{own}\s*\}}|{own}(?![A-Za-z]))", tex) is not None
 
 
 def other_variable(formulas: Sequence[TypedFormula], text: str) -> tuple[str, int]:
@@ -144,13 +201,31 @@ def _said_at(formulas: Sequence[TypedFormula], text: str) -> Iterator[tuple[str,
         found = (_ALONE.fullmatch(one.tex) or _IS.match(one.tex)) if one.inline else None
         if found is None:
             continue
-        before = formulas[place - 1].end if place else 0
-        behind = formulas[place + 1].start if place + 1 < len(formulas) else len(text)
-        around = f"{text[before : one.start]} § {text[one.end : min(behind, one.end + 160)]}"
-        around = " ".join(re.sub(r"[$\\()~]", " ", around).split())
+        around = _around(formulas, place, text)
         alone = _ALONE.fullmatch(one.tex) is not None
         if (alone and _BY_PRIME.search(around)) or _AS_VARIABLE.search(around):
             yield found["by"], one.start
+
+
+def _said_of_dots(formulas: Sequence[TypedFormula], text: str) -> Iterator[str]:
+    """The letters by which dots derive, as words or formulas say."""
+    for place, one in enumerate(formulas):
+        if (mark := _MARK.fullmatch(one.tex)) and _DOT.search(one.tex):
+            yield by_of(mark)
+        alone, ratio = _ALONE.fullmatch(one.tex), _RATIO_ALONE.fullmatch(one.tex)
+        if alone and _BY_DOT.search(_around(formulas, place, text)):
+            yield alone["by"]
+        elif ratio and _DOT_STANDS_FOR.search(_around(formulas, place, text)):
+            yield by_of(ratio)
+
+
+def _around(formulas: Sequence[TypedFormula], place: int, text: str) -> str:
+    """The words around a formula, which is a sign there, between its neighbours."""
+    one = formulas[place]
+    before = formulas[place - 1].end if place else 0
+    behind = formulas[place + 1].start if place + 1 < len(formulas) else len(text)
+    around = f"{text[before : one.start]} § {text[one.end : min(behind, one.end + 160)]}"
+    return " ".join(re.sub(r"[$\\()~]", " ", around).split())
 
 
 def _arguments(texts: Sequence[str]) -> set[str]:
@@ -177,11 +252,11 @@ def _is_other(tex: str, letter: str) -> bool:
     return any(re.search(one, tex) is not None for one in (rated, below, partial, above))
 
 
-def _renamed(tex: str, letter: str) -> str:
-    """A formula with t in the place of a letter, but where that has an index."""
+def _renamed(tex: str, letter: str, other: str) -> str:
+    """A formula with another letter in the place of one, but where that has an index."""
     pieces: list[str] = []
     for found in _TOKEN.finditer(tex):
         whole = found[0] == letter and not re.match(r"\s*_", tex[found.end() :])
         after_macro = pieces and re.fullmatch(r"\\[A-Za-z]+", pieces[-1])
-        pieces.append((" " if after_macro else "") + TIME if whole else found[0])
+        pieces.append((" " if after_macro else "") + other if whole else found[0])
     return "".join(pieces)

@@ -71,6 +71,12 @@ NAMED_LEVEL = "set with the name of its value"
 It is supposed in its sentence, and where this name stands behind it.
 """
 
+NORMALISED = "set by normalisation"
+"""The kind of an assumption that fixes the parameter of the motion by the value of an integral.
+
+It is in force to the end of the paper, or to another one about the same names.
+"""
+
 TOGETHER = "together"
 """The kind of a definition that gives names with others: it is supposed where these are used."""
 
@@ -433,6 +439,7 @@ class Known:
             )
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
             or (self.roles[one].kind == NAMED_LEVEL and self._has_value(one, item))
+            or (self.roles[one].kind == NORMALISED and last[one.names] is one)
         ]
 
     def _has_value(self, level: SourceStatement, item: SourceStatement) -> bool:

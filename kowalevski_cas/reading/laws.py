@@ -57,10 +57,11 @@ def _closed_sets(
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
     own = [law for law in found if not law.change]
     second = len(own) == 1 and is_of_second_order(own[0])
-    rows = tuple(implied_rows(paper)) if second or len(found) < 2 or not whole else ()
+    rows = tuple(implied_rows(paper))
     if rows and second and whole and _needs_momenta(rows, own[0], paper):
         return _with_changes(Law(rows, names, again=(own[0],)), paper, said)
-    rows = rows if len(found) < 2 or not whole else ()
+    partial = bool(own) and all(_leaves_out(rows, law, paper) for law in own)
+    rows = rows if len(found) < 2 or not whole or partial else ()
     if rows and not found:
         among_words = [*_LawFinder(paper, names, said, inline=True).laws()]
         if among_words and among_words[0].items[-1].order < rows[0].order:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from kowalevski_cas.source.displays import TypedFormula
 
 _UPRIGHT = r"\\math(?:rm|sf|bf|cal|scr|bb|frak)\s*(?:\{{\s*{letter}\s*\}}|\s{letter})"
-_TOTAL = rf"(?:{_UPRIGHT.format(letter='d')}|d)"
+TOTAL = rf"(?:{_UPRIGHT.format(letter='d')}|d)"
 _D = rf"(?:{_UPRIGHT.format(letter='d')}|\\partial(?![A-Za-z])|d)"
 _INDEX = r"(?:_(?:\w|\\[A-Za-z]+|\{\s*(?:\w|\\[A-Za-z]+)\s*\}))?"
 LETTER = rf"(?:{_UPRIGHT.format(letter='[A-Za-z]')}|\\[A-Za-z]+|[A-Za-z]){_INDEX}"
@@ -20,8 +20,8 @@ RATIO = (
     rf"|{_D}{_GAP}/{_GAP}{_D}{_GAP}{_TIME.replace('by', 'below')})"
 )
 RATIO_BY = re.compile(
-    rf"\}}\s*\{{\s*{_TOTAL}{_GAP}(?P<by>\\[A-Za-z]+|[A-Za-z])(?:\s*\^\s*\{{?\s*\d\s*\}}?)?\s*\}}"
-    rf"|/{_GAP}{_TOTAL}{_GAP}(?P<below>\\[A-Za-z]+|[A-Za-z])"
+    rf"\}}\s*\{{\s*{TOTAL}{_GAP}(?P<by>\\[A-Za-z]+|[A-Za-z])(?:\s*\^\s*\{{?\s*\d\s*\}}?)?\s*\}}"
+    rf"|/{_GAP}{TOTAL}{_GAP}(?P<below>\\[A-Za-z]+|[A-Za-z])"
 )
 """The letter by which a quotient of differentials derives."""
 _RATIO_ALONE = re.compile(rf"\s*{RATIO}[\s.,;]*")

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.hypotheses import sets_in_force
 from kowalevski_cas.reading.jets import refuse_of_functions
-from kowalevski_cas.reading.known import FUNCTION
+from kowalevski_cas.reading.known import FUNCTION, NORMALISED
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import SourceStatement
@@ -76,6 +76,11 @@ class RungMaker:
         scalars = self.known.names.scalars
         return bool({*scalars(moving)} - {*scalars(given)})
 
+    def _is_of_all_motion(self, one: SourceStatement) -> bool:
+        """Whether what is given is a constraint, or a normalisation of the motion."""
+        role = self.known.roles.get(one)
+        return one in self.known.bound or (role is not None and role.kind == NORMALISED)
+
     def _is_needed(self, assumption: SourceStatement) -> bool:
         """Whether it gives a function of which nothing says on what it depends else."""
         role = self.known.roles[assumption]
@@ -105,7 +110,7 @@ class RungMaker:
         idle = None
         if (
             not found.images
-            and {*on} - {*self.known.bound}
+            and any(not self._is_of_all_motion(one) for one in on)
             and not self._leaves_velocities(on)
             and (self.item.derives or self.role.kind == "integral")
         ):

@@ -43,7 +43,12 @@ from kowalevski_cas.reading.free_functions import (
     told_since,
     with_names_alone,
 )
-from kowalevski_cas.reading.independent import independent_variable, other_variable, with_time
+from kowalevski_cas.reading.independent import (
+    independent_variable,
+    other_variable,
+    with_coordinate_time,
+    with_time,
+)
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
 from kowalevski_cas.reading.links import with_links
@@ -219,6 +224,8 @@ class SourcePaper:
     """Whether it is known that primes derive by the time."""
     primed_by: tuple[str, int] = ("", 0)
     """Another letter by which primes derive, as words say, and where they do."""
+    coordinate_time: bool = False
+    """Whether t is a coordinate, for which another letter stands."""
 
     @cached_property
     def functions_by_name(self) -> dict[str, list[Unknown]]:
@@ -341,6 +348,8 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     several = {one.start for one in typed if any(stands_in(name, one.tex) for name in numbers)}
     typed = [*with_variations([*with_elements([*without_maps(counted)], expanded.text)])]
     typed = [*with_operators([*with_bars(typed, expanded.text)], expanded.text)]
+    timed = [*with_coordinate_time(typed, expanded.text)]
+    has_coordinate_time, typed = timed != typed, timed
     variable = independent_variable(typed, expanded.text)
     other = other_variable(typed, expanded.text)
     typed = [*with_time(typed, variable)]
@@ -410,7 +419,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     return SourcePaper(
         source, prose, words, tuple(displays), tuple(items), lines, expanded, primed, period,
         {formula.start: name for formula, name in named if name}, functions, orbits,
-        numbers, frozenset(several), since, bool(variable), other,
+        numbers, frozenset(several), since, bool(variable), other, has_coordinate_time,
     )  # fmt: skip
 
 
