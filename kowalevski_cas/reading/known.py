@@ -465,7 +465,12 @@ class Known:
         )
 
     def _is_special(self, one: SourceStatement) -> bool:
-        """Whether an equation is one between constants of laws, or makes one of them zero."""
+        """Whether an equation is one between constants of laws, or makes one of them zero.
+
+        An inequality is one where its sentence says what is stable.
+        """
+        if not one.members:
+            return self.roles[one].kind == "inequality" and bool(cue("stable", one.words))
         mentioned = {name for law in self.laws for name in self.names.scalars(law.mentions)}
         compared = len(one.names) > 1 or Number(0) in one.members
         return len(one.members) > 1 and compared and {*one.names} <= mentioned

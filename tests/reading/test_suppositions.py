@@ -457,3 +457,18 @@ def test_a_rate_that_does_not_vanish_may_be_supposed(word):
     text = rf"{WELL}{word} $\dot x\ne0$, the function "
     assert [*verdicts(rf"{text}$y^2-x^2+\frac12x^4$ is an integral.").values()][-1].green
     assert not [*verdicts(rf"{text}$y^2-x^2-\frac12x^4$ is an integral.").values()][-1].green
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        ("The oscillations with $x^2<1$ are stable, and the others are not.", False),
+        ("Stability takes place for $x^2<1$.", False),
+        ("При $x^2<1$ колебания устойчивы.", False),
+        ("Let $x^2<1$, where the motion is stable.", True),
+    ],
+)
+def test_what_a_sentence_on_stability_compares_is_so_in_it_only(words, green):
+    law = r"The body obeys \[ \dot x=y,\qquad \dot y=-x+ax^3 . \] "
+    found = verdicts(rf"{law} {words} Moreover \[ x^4<1 . \]")
+    assert [one.green for one in found.values()] == [green]
