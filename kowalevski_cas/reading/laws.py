@@ -18,6 +18,7 @@ from kowalevski_cas.reading.polar import coordinates_in_words, radius_of
 from kowalevski_cas.reading.printed_rates import PrintedRates, is_averaged
 from kowalevski_cas.reading.restated import replaced_law, times_of
 from kowalevski_cas.reading.rows import is_of_motion
+from kowalevski_cas.reading.solved import new_factors
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, derived_names
 from kowalevski_cas.reading.together import find_together
 from kowalevski_cas.reading.unprinted import hamiltonians_anew, implied_rows
@@ -239,7 +240,7 @@ class _LawFinder(PrintedRates):
         """Another law beside some: of another system, or of further variables."""
         beside = any(row.sentence == item.sentence for law in part for row in law.items)
         said = beside or self._is_rate_of_new(item, part) or self._is_ground(item)
-        if not (self._may_set_up(item) or said):
+        if not (self._may_set_up(item) or said) or self._is_of_new_factor(item, part):
             return None
         beside = beside and not stands_beside(self, item, part)
         if not beside and item not in (*self.said.rows, *self.solutions):
@@ -282,6 +283,21 @@ class _LawFinder(PrintedRates):
             return False
         before = (one for one in self.paper.items if one.order < item.order and one.members)
         return all(new.isdisjoint(self.names.scalars(one.names)) for one in before)
+
+    def _is_of_new_factor(self, item: SourceStatement, part: Sequence[Law]) -> bool:
+        r"""Whether what a row derives is a factor of what is defined by what moves already.
+
+        So is w in :math:`\zeta=e^{-i\omega t}w`, where :math:`\zeta=x+iy`.
+        """
+        moving = {name for law in part for name in law.variables}
+        defined = self._standing_for(moving, item.typed.start) - moving
+        return any(
+            one.order < item.order
+            and {*one.bare[:1]} <= defined
+            and {*item.rates} <= {*new_factors(one)}
+            for one in self.paper.items
+            if one.bare
+        )
 
     def _is_ground(self, item: SourceStatement) -> bool:
         """Whether a higher derivative of what a row derives is deduced from it in its sentence."""

@@ -1,7 +1,8 @@
 r"""What stands in a law and is given by what moves, as in :math:`M_i=I_i\Omega_i`.
 
 Where the rates of one side are printed, and a factor of the other one stands in them that nothing
-else gives, it is the other side by its other factors.
+else gives, it is the other side by its other factors. So is a new factor of what is defined by what
+moves, if rates of it are printed: w by :math:`\zeta=e^{-i\omega t}w`.
 """
 
 from __future__ import annotations
@@ -54,4 +55,24 @@ def _factor(item: SourceStatement, known: Known) -> str:
             for law in known.laws if free and not _NEW.search(item.words) else ():
                 if moving in law.variables and gives_factor(item, law, rated):
                     return (names & {*known.names.scalars(law.mentions)}).pop()
+        case (Name(given), Product()) if known.is_defined(given) and known.varies(given):
+            new = [one for one in new_factors(item) if _is_new(one, item, known)]
+            rated = {name for one in known.items if one.order > item.order for name in one.rates}
+            if len(new) == 1 and {*new} <= rated and not item.derives:
+                return new[0]
     return ""
+
+
+def _is_new(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a statement is the first one that has a name."""
+    used = known.is_defined(name) or known.moves(name)
+    return known.seen.get(name, item) is item and not used
+
+
+def new_factors(item: SourceStatement) -> list[str]:
+    """The names that are factors of the right side of an equation, and stand in it only so."""
+    match item.members:
+        case (Name(), Product(factors)):
+            others = {name for one in factors if not isinstance(one, Name) for name in one.names()}
+            return [one.name for one in factors if isinstance(one, Name) and one.name not in others]
+    return []
