@@ -83,7 +83,18 @@ def said_of(item: SourceStatement) -> str:
     before = _AGAIN.split(item.before)[-1]
     if (begins := _BEGINS.search(before)) and _IS_ALONE.match(item.after):
         before = before[begins.end() :]
-    return f"{before} § {_AGAIN.split(item.after)[0]}"
+    return f"{before} § {'' if ends_clause(item) else _AGAIN.split(item.after)[0]}"
+
+
+_SEMICOLON = re.compile(r";[\s}~]*$")
+_OF_IT = re.compile(
+    r"[\s~]*(?:this|it|which|that|the\s+(?:former|latter)|это|он[ао]?)\b", re.IGNORECASE
+)
+
+
+def ends_clause(item: SourceStatement) -> bool:
+    """Whether a formula ends by a semicolon, and nothing is said of it behind that."""
+    return _SEMICOLON.search(item.typed.tex) is not None and not _OF_IT.match(item.tail)
 
 
 def is_conditional(item: SourceStatement) -> bool:

@@ -56,6 +56,7 @@ from kowalevski_cas.reading.phrases import (
     DENIES_ALL,
     VERB,
     clause,
+    ends_clause,
     joined_tail,
     listed_words,
     right_behind,
@@ -300,7 +301,8 @@ def unjudged(item: SourceStatement, known: Known) -> StatementRole | None:
         if names := _named(item, known):
             return StatementRole(DEFINITION, "named here; its sentence makes exceptions", "", names)
         return StatementRole(OTHER, "its sentence makes exceptions: it is not judged", "excepted")
-    if said := cue("only if", item.lead) or cue("only if", _ONE_CLAUSE.split(item.tail)[0]):
+    behind = "" if ends_clause(item) else _ONE_CLAUSE.split(item.tail)[0]
+    if said := cue("only if", item.lead) or cue("only if", behind):
         return StatementRole(OTHER, f"“{said}” says more than is judged", MORE)
     if said := _denial(item, known):
         if names := _named(item, known):

@@ -138,3 +138,19 @@ RATES = r"Put $F=x^2+y^2$ and $G=z^2$. "
 )
 def test_a_condition_is_of_what_is_right_behind_it_and_of_nothing_otherwise(sentence, greens):
     assert [verdict for verdict, _ in verdicts(RATES + sentence)] == greens
+
+
+@pytest.mark.parametrize(
+    ("behind", "judged"),
+    [
+        ("; \\] they are distinct if and only if $c^2+12a>0$.", True),
+        ("; \\] the points of rest are real if and only if $c^2+12a>0$.", True),
+        ("; \\] this holds if and only if $a>0$.", False),
+        (" \\] if and only if $a>0$.", False),
+    ],
+)
+@pytest.mark.parametrize(("factor", "green"), [("3", True), ("2", False)])
+def test_a_condition_behind_a_semicolon_is_of_its_own_clause(behind, judged, factor, green):
+    text = r"The equation is \[ \ddot f=cf-3f^2+a . \] It follows that \[ \frac{d}{dt}(\dot f^2)="
+    found = verdicts(rf"{text}2(cf-{factor}f^2+a)\dot f{behind}")
+    assert [verdict in ("proved", "conditional") for verdict, _ in found] == [green] * judged
