@@ -384,3 +384,21 @@ def test_a_hamiltonian_in_momenta_is_the_one_of_its_law(text, right, wrong):
     for other in wrong:
         *_, last = ends(text % other)
         assert not last.verdict.green
+
+
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+@pytest.mark.parametrize(
+    "change",
+    [
+        r"In the polar coordinates $x=r\cos\varphi,\quad y=r\sin\varphi$ they become"
+        r"\[ \ddot r-r\dot\varphi^2=-kr+2nr\dot\varphi,\qquad r\ddot\varphi+2\dot r\dot\varphi=-2n\dot r . \]",
+        r"Put \[ x=u+v,\qquad y=u-v . \] Then \[ \ddot u=-ku-2n\dot v . \]",
+    ],
+)
+def test_a_lagrangian_is_one_of_equations_of_which_the_variables_are_changed(change, sign, green):
+    text = r"The motion obeys \begin{align} \ddot x&=-kx+2n\dot y,\\ \ddot y&=-ky-2n\dot x . \end{align} "
+    text += r"These are the Lagrange equations of \[ L=\frac12(\dot x^2+\dot y^2)"
+    text += rf"{sign}n(x\dot y-y\dot x)-\frac12k(x^2+y^2) . \] "
+    outcomes = ReadingSession(reading(text + change), timeout=20).outcomes
+    found = [one.verdict for id, one in outcomes.items() if id.startswith("energy")]
+    assert [one.green for one in found] == [green, green]
