@@ -100,12 +100,15 @@ def _needs_momenta(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper
     momenta = rated - {*law.variables}
     energies = {name for row in rows for name in derived_names(row)}
     given = {one.bare[0] for one in paper.items if one.bare and one.members[0] == Name(one.bare[0])}
-    used = (one for one in paper.items if not {*one.bare[:1]} & energies)
+    used = [one for one in paper.items if not {*one.bare[:1]} & energies]
+    derived = any(one.derives and one.names & energies for one in used)
     return (
         {*law.variables} < rated
         and len(momenta) == len(law.variables)
         and not momenta & given
-        and any(momenta & one.names for one in used if not isinstance(one.formula, Name))
+        and (
+            derived or any(momenta & one.names for one in used if not isinstance(one.formula, Name))
+        )
         and all(map(is_of_motion, law.rows))
     )
 
@@ -113,18 +116,35 @@ def _needs_momenta(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper
 def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -> bool:
     """Whether a law beside a Lagrangian, or a Hamiltonian, moves some of its coordinates only.
 
-    It has momenta that are constant, or names that the other coordinates give: so what is printed
-    follows from all equations. So do equations of which some have a coordinate to a lower order.
+    It has momenta that are constant, or names that the other coordinates give, or rates of these
+    are printed as well: so what is printed follows from all equations. So do equations of which
+    some have a coordinate to a lower order.
     """
     moving = {name: order for row in rows for name, order in row.rates.items()}
     lower = {order < moving.get(name, 0) for name, order in law.orders.items()}
     if law.orders.keys() <= moving.keys() and len(lower) > 1:
         return True
+    if _has_momenta_by_velocities(law, moving, paper):
+        return True
     alike = {order for row in law.rows for order in row.rates.values()} == {*moving.values()}
     alike = alike or is_of_second_order(law)
     left = {*moving} - {*law.variables}
     given = {one.bare[0] for one in paper.items if one.bare and left & one.names}
-    return alike and {*law.variables} < {*moving} and bool(law.mentions & (left | given))
+    printed = any(left & {*one.rates} for one in paper.items if one not in law.rows)
+    named = printed or bool(law.mentions & (left | given))
+    return alike and {*law.variables} < {*moving} and named
+
+
+def _has_momenta_by_velocities(law: Law, moving: Collection[str], paper: SourcePaper) -> bool:
+    """Whether a law moves some momenta that velocities give, and others of these stand in it."""
+    own = {*law.variables} - {*moving}
+    given = {
+        one.bare[0]
+        for one in paper.items
+        if one.rates and one.bare and one.members[0] == Name(one.bare[0])
+        if {*one.rates} <= {*moving} and one.order < law.first.order
+    }
+    return bool(own) and own <= given and bool(law.mentions & given - own)
 
 
 def _is_changed(law: Law, implied: Sequence[Law]) -> bool:

@@ -30,11 +30,17 @@ def test_equations_for_a_complex_variable_are_those_for_its_real_letters(law, ch
 
 
 def test_a_modulus_that_falls_is_no_constant():
-    text = LANDAU + r"In polar form $a=re^{i\theta}$, \[\dot r=\mu r-r^3,\qquad\dot\theta=\omega-\beta r^2 .\]"
+    text = (
+        LANDAU
+        + r"In polar form $a=re^{i\theta}$, \[\dot r=\mu r-r^3,\qquad\dot\theta=\omega-\beta r^2 .\]"
+    )
     assert [one.green for one in verdicts(text).values()] == [True, True]
     assert [one.green for one in verdicts(text.replace("-r^3", "+r^3")).values()] == [False, True]
 
 
 def test_a_conjugate_that_is_printed_is_the_one_that_is_meant():
-    text = STARRED + r"Put $a=re^{i\varphi}$, $a^*=re^{-i\varphi}$. Then \[\dot\varphi=\omega+\beta r^2 .\]"
+    text = (
+        STARRED
+        + r"Put $a=re^{i\varphi}$, $a^*=re^{-i\varphi}$. Then \[\dot\varphi=\omega+\beta r^2 .\]"
+    )
     assert [one.green for one in verdicts(text).values()] == [True]

@@ -402,3 +402,38 @@ def test_a_lagrangian_is_one_of_equations_of_which_the_variables_are_changed(cha
     outcomes = ReadingSession(reading(text + change), timeout=20).outcomes
     found = [one.verdict for id, one in outcomes.items() if id.startswith("energy")]
     assert [one.green for one in found] == [green, green]
+
+
+LEGENDRE = r"""The motion is described by the Lagrangian
+\[L=\frac{m}{2}(\dot r^2+r^2\dot\varphi^2)+\frac{\alpha}{r} .\] The generalized momenta are $p_r=m\dot r$ and
+$p_\varphi=mr^2\dot\varphi$; the Hamiltonian is therefore \[H=\frac{p_r^2}{2m}+\frac{p_\varphi^2}{2mr^2}-\frac\alpha r .\]
+The canonical equations are \[\dot r=\frac{p_r}{m},\quad\dot\varphi=\frac{p_\varphi}{mr^2},\quad
+\dot p_r=\frac{p_\varphi^2}{mr^3}-\frac{\alpha}{r^2},\quad\dot p_\varphi=0 .\]"""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "false"),
+    [
+        ("", "", 0),
+        (r"{mr^3}", r"{mr^2}", 1),
+        (r"p_\varphi=mr^2\dot", r"p_\varphi=mr\dot", 4),
+        (r"\dot r=\frac{p_r}{m}", r"\dot r=\frac{p_r}{2m}", 1),
+    ],
+)
+def test_canonical_equations_behind_a_lagrangian_and_its_momenta_follow(right, wrong, false):
+    found = [one.green for one in verdicts(LEGENDRE.replace(right, wrong, 1)).values()]
+    assert len(found) == 6
+    assert found.count(False) == false
+
+
+@pytest.mark.parametrize("wrong", ["", r"\dot\theta=p_\theta/mr", r"\dot p_\theta=r"])
+def test_equations_that_a_hamiltonian_gives_one_by_one_are_claims(wrong):
+    text = r"""The Hamiltonian is \[H=\frac{p_r^2}{2m}+\frac{p_\theta^2}{2mr^2}+V(r) .\]
+    Hamilton's equations give $\dot r=p_r/m$, $\dot\theta=p_\theta/mr^2$, $\dot p_\theta=0$ and
+    \[\dot p_r=\frac{p_\theta^2}{mr^3}-V'(r) .\]"""
+    text = text.replace(
+        f"{wrong}^2" if wrong.endswith("mr") else r"\dot p_\theta=0", wrong or r"\dot p_\theta=0"
+    )
+    found = [one.green for one in verdicts(text).values()]
+    assert len(found) == 4
+    assert found.count(False) == bool(wrong)
