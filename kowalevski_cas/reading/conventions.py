@@ -15,9 +15,9 @@ from kowalevski_cas.paper.unit_matrices import unit_matrices
 from kowalevski_cas.reading.brackets import brackets_by_functions
 from kowalevski_cas.reading.brackets_of_momenta import brackets_by_momenta
 from kowalevski_cas.reading.canonical import momenta
+from kowalevski_cas.reading.changes import CONJUGATE
 from kowalevski_cas.reading.distances import distances
 from kowalevski_cas.reading.inertia import tensors_of_inertia
-from kowalevski_cas.reading.changes import CONJUGATE
 from kowalevski_cas.reading.kinematics import is_free
 from kowalevski_cas.reading.known import CONVENTION, UNIT_MATRIX, Known, StatementRole
 from kowalevski_cas.reading.levels import levels_apart

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Derivative, Name
 from kowalevski_cas.reading.changes import conjugates_given, find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -130,7 +130,8 @@ def _leaves_out(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper) -
     alike = alike or is_of_second_order(law)
     left = {*moving} - {*law.variables}
     given = {one.bare[0] for one in paper.items if one.bare and left & one.names}
-    printed = any(left & {*one.rates} for one in paper.items if one not in law.rows)
+    rates = [m for one in paper.items for m in one.members if isinstance(m, Derivative)]
+    printed = any(one.argument == Name(name) for one in rates for name in left)
     named = printed or bool(law.mentions & (left | given))
     return alike and {*law.variables} < {*moving} and named
 

@@ -97,7 +97,8 @@ STATES: dict[str, str] = {
     "rest": r"""
         \bequilibri\w+ states?\s+of\s+rest равновеси\w+""",
     "dimension": r"""
-        dimension(?!al\s+(?:system|motion|problem|oscillator|particle|space|case|potential))\w* \b\w+-?\s*parametri?c\w* \bmanifold\b двумерн\w* трехмерн\w* четырехмерн\w*
+        dimension(?!al\s+(?:system|motion|problem|oscillator|particle|space|case|potential))\w*
+        \b\w+-?\s*parametri?c\w* \bmanifold\b двумерн\w* трехмерн\w* четырехмерн\w*
         размерност\w+ параметрическ\w+ многообрази\w+""",
     "number": r"""
         \bonly\b \bexactly\b \bunique\w* \bat\s+(?:most|least)\b \balmost\s+all\b \bevery\b
@@ -123,7 +124,8 @@ STATES: dict[str, str] = {
         \b(?:algebraic|transcendental)\b \bdegree\b линейн\w+ квадратичн\w+ степен\w+ полином\w+
         эллиптическ\w+(?!\s+(?:координат|функци))""",
     "limit": r"""
-        \bgenerali[sz]\w+(?!\s+(?:coordinate|moment|velocit|force|potential)) \breduces?\s+to\b \btends?\s+to\b \bspecial\s+case\b обобща\w+
+        \bgenerali[sz]\w+(?!\s+(?:coordinate|moment|velocit|force|potential))
+        \breduces?\s+to\b \btends?\s+to\b \bspecial\s+case\b обобща\w+
         стрем\w+ся частн\w+\s+случа\w+""",
     "method": r"""
         \bquadratures?\b \bseparat\w+ \bhamiltonian\s+system\b \bcommut\w+ \binvolution\b
