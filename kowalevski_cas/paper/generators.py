@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
+from fractions import Fraction
 from functools import partial
 
 from kowalevski_cas.notation import (
@@ -21,7 +22,7 @@ from kowalevski_cas.notation import (
     Quotient,
     times,
 )
-from kowalevski_cas.notation.functions import MEANING
+from kowalevski_cas.notation.functions import CIRCULAR, MEANING
 from kowalevski_cas.paper.arguments import Monomial, product_of, single_name
 from kowalevski_cas.paper.components import row_components
 from kowalevski_cas.paper.differentiate import derivative
@@ -31,7 +32,7 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.names import head, primitive
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.paper.transcendental import Transcendental
+from kowalevski_cas.paper.transcendental import PI, Transcendental
 from kowalevski_cas.problem.goals import Follows, Goal, Rank, simple
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation, EquationOfMotion, Meaningless
@@ -272,13 +273,53 @@ def _rate(
 
 
 def values_at_zero(given: Iterable[Equation], setting: Meaning) -> Iterator[Equation]:
-    r"""What functions are where given equations make their argument vanish, as z = 0 makes |z|²."""
+    r"""What functions are where given equations make their argument vanish, as z = 0 makes |z|².
+
+    So are sines and cosines known at multiples of the right angle.
+    """
     zero = {one for pair in given for one, other in (pair, pair[::-1]) if other == ZERO}
     for group in setting.transcendental.groups:
         values, parts = group.kind.family.zero, dict(group.monomial)
         vanishes = any(parts.get(one, 0) > 0 for one in zero)
         if vanishes and values.keys() == group.kind.family.rates.keys():
             yield from ((group.values[one], template(tex)) for one, tex in values.items())
+        elif group.kind.family is CIRCULAR:
+            yield from _at_angles(group, given, setting)
+
+
+def _at_angles(
+    group: Generators, given: Iterable[Equation], setting: Meaning
+) -> Iterator[Equation]:
+    r"""The sine and the cosine where an angle is so many right angles by a given equation."""
+    name = single_name(group.monomial)
+    pairs = (pair for one in given for pair in (one, one[::-1]))
+    angles = (b for a, b in pairs if name and a == Name(name) and b.names() == {PI})
+    parts = [part for angle in angles if (part := _part_of_pi(angle)) is not None]
+    quarters = 2 * parts[0] / group.over if parts else Fraction(1, 2)
+    if quarters.denominator == 1:
+        values = ((0, 1), (1, 0), (0, -1), (-1, 0))[quarters.numerator % 4]
+        for letter, value in zip("sc", values, strict=True):
+            yield group.values[letter], Number(value) if value >= 0 else Negative(ONE)
+
+
+def _part_of_pi(angle: Formula) -> Fraction | None:
+    r"""By what number :math:`\pi` is multiplied."""
+    match angle:
+        case Name():
+            return Fraction(1)
+        case Negative(inner):
+            part = _part_of_pi(inner)
+            return None if part is None else -part
+        case Quotient(inner, Number(below)):
+            part = _part_of_pi(inner)
+            return None if part is None else part / below
+        case Product((Number(factor), inner)):
+            part = _part_of_pi(inner)
+            return None if part is None else part * factor
+        case Product((Quotient(Number(above), Number(below)), inner)):
+            part = _part_of_pi(inner)
+            return None if part is None else part * above / below
+    return None
 
 
 def _unknown(given: Sequence[Equation], setting: Meaning) -> list[str]:

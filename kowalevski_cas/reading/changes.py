@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 
-from kowalevski_cas.notation import Name, Number, Product, to_latex
+from kowalevski_cas.notation import Name, Number, Product, Sum, to_latex
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.amplitudes import UNIT, conjugate_name, conjugate_of
 from kowalevski_cas.paper.transcendental import PI
@@ -58,7 +58,11 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
         ]
         renaming = [one for one in sentence if _renames(one, law, seen, rated)]
         beside = (one for one in sentence if one not in giving and one not in renaming)
-        values = (one for one in beside if not (_NEAR.search(one.before) or one.is_const))
+        values = (
+            one
+            for one in beside
+            if not (_NEAR.search(one.before) or one.is_const or _is_place(one, giving))
+        )
         other = {name for one in values for name in one.bare}
         giving = [one for one in giving if other.isdisjoint(one.bare)]  # else these are values
         if giving:  # beside these a new letter may stand for a variable as it is
@@ -86,6 +90,17 @@ def find_changes(law: Law, items: Sequence[SourceStatement]) -> Iterator[Law]:
                 break
         for one in sentence:
             seen |= one.names
+
+
+def _is_place(item: SourceStatement, giving: Sequence[SourceStatement]) -> bool:
+    """Whether a value is the place from which what is given deviates, as x=1 beside x=1+ξ."""
+    return any(
+        one.members[0] == item.members[0]
+        and isinstance(one.members[1], Sum)
+        and item.members[1] in one.members[1].terms
+        for one in giving
+        if len(item.members) == 2
+    )
 
 
 def conjugates_given(

@@ -205,7 +205,7 @@ def linear_part(item: SourceStatement, known: Known) -> StatementRole | None:
     if not all(isinstance(row, Vector) for row in matrix.components):
         return None
     varying = known.varying(matrix.names())
-    if bool(varying) == bool(found["place"]) or not (varying or matrix_point(item, known)):
+    if found["place"] if varying else not matrix_point(item, known):
         return None
     why = "the matrix of the linear part, by the words before it"
     return StatementRole(CLAIM, why, MATRIX, item.bare[:1])
@@ -214,7 +214,12 @@ def linear_part(item: SourceStatement, known: Known) -> StatementRole | None:
 def matrix_point(item: SourceStatement, known: Known) -> tuple[SourceStatement, ...]:
     """The equations of the point at which a matrix is said to be the linear part, if one is."""
     law, found = law_of_points(item, known), _OF_MATRIX.search(item.before)
-    return () if law is None or found is None else _at(found, item.before, item, law, known)
+    if law is None or found is None:
+        return ()
+    if not found["place"]:
+        places = [*re.finditer(_AT, item.before, re.IGNORECASE)]
+        return _at(places[0], item.before, item, law, known) if len(places) == 1 else ()
+    return _at(found, item.before, item, law, known)
 
 
 def trace_or_determinant(item: SourceStatement, known: Known) -> StatementRole | None:

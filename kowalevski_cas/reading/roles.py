@@ -77,7 +77,7 @@ from kowalevski_cas.reading.propositions import (
     solution,
     zero_set,
 )
-from kowalevski_cas.reading.rest_points import rest_point
+from kowalevski_cas.reading.rest_points import POINT, rest_point
 from kowalevski_cas.reading.roots_in_words import of_roots_spoken_of, roots_in_words
 from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, small_oscillation
@@ -132,7 +132,8 @@ def role_of(item: SourceStatement, known: Known) -> StatementRole:
     prints = is_row(item) and any(map(known.moves, item.rates))
     own = inferred.name != CLAIM or inferred.kind in (*OF_LINEAR_PART, "approximate")
     other = of_related_law if prints else of_another_system
-    if not own and (said := other(item, known)):
+    said = "" if own else other(item, known)
+    if said and not (inferred.kind == POINT and said not in item.before):
         why = f"of a law that is not printed: “{said}”"
         inferred = StatementRole(CLAIM, why, "another-law", inferred.names)
     elif inferred.name == CLAIM and (said := of_several(item, known)):

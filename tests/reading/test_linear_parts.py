@@ -261,3 +261,43 @@ def test_where_a_coordinate_is_left_out_an_eigenvalue_has_no_verdict(value):
     found = reading(rf"{WELL}At $x=1$ the eigenvalues are ${value}$.")
     own = [f for f in found.formulas if f.item.printed.tex.strip() == value]
     assert own and all(f.role.name == CLAIM and f.claim is None and f.message for f in own)
+
+
+PENDULUM_UP = (
+    r"Consider the system $\dot x=y$, $\dot y=-\sin x-\mu y$. At the equilibrium $(\pi,0)$ "
+)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        (r"the eigenvalues are $\lambda=\frac12(-\mu\pm\sqrt{\mu^2+4})$.", ("+4", "-4")),
+        (r"the characteristic equation is $\lambda^2+\mu\lambda-1=0$.", ("-1", "+1")),
+        (
+            r"the matrix of the linearized system is \[\begin{pmatrix}0&1\\1&-\mu\end{pmatrix} .\]",
+            (r"\\1", r"\\-1"),
+        ),
+    ],
+)
+def test_a_linear_part_may_be_one_at_a_multiple_of_the_right_angle(right, wrong):
+    assert all(one.green for one in verdicts(PENDULUM_UP + right).values())
+    assert not all(one.green for one in verdicts(PENDULUM_UP + right.replace(*wrong)).values())
+    quarter = PENDULUM_UP.replace(r"\sin x", r"\cos x").replace(r"\pi", r"\frac\pi2")
+    assert all(one.green for one in verdicts(quarter + right).values())
+
+
+def test_the_place_of_a_matrix_may_stand_before_it():
+    text = r"Consider the system $\dot x=x(1-y)$, $\dot y=y(x-1)$. At the point $(1,1)$ the Jacobian matrix is "
+    true, false = (
+        r"\[\begin{pmatrix}0&-1\\1&0\end{pmatrix} .\]",
+        r"\[\begin{pmatrix}0&1\\1&0\end{pmatrix} .\]",
+    )
+    assert [one.green for one in verdicts(text + true).values()] == [True]
+    assert [one.green for one in verdicts(text + false).values()] == [False]
+
+
+def test_the_place_of_a_deviation_may_be_spoken_of_in_its_sentence():
+    text = r"""Consider $\ddot x+x-x^3=0$. Setting $x=1+\xi$ and keeping terms of first order in $\xi$, we obtain
+    $\ddot\xi-2\xi=0$, so that $x=1$ is unstable."""
+    assert verdicts(text)[r"\ddot\xi-2\xi=0"].green
+    assert not verdicts(text.replace("2\\xi", "3\\xi"))[r"\ddot\xi-3\xi=0"].green
