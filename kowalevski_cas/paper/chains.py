@@ -98,6 +98,8 @@ def without_new_names(texts: Iterable[str]) -> list[str]:
             members = _members(tex[start:end])
             if len(members) < 3 or not _is_given(members[0]) or _IS_RATE.fullmatch(members[0]):
                 continue
+            if not names_in(members[-1]):
+                continue  # a number is the value, and says not what the first one is
             others = " , ".join((*texts[:k], *texts[k + 1 :], without(tex, [(start, end)])))
             for middle in members[1:-1]:
                 whole = rf"(?<=[=&\s]){re.escape(middle)}\s*&?\s*="

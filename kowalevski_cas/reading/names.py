@@ -9,6 +9,7 @@ from itertools import groupby, pairwise
 
 from kowalevski_cas.notation import CrossProduct, Formula, Name, Vector
 from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 
@@ -43,9 +44,9 @@ def vectors_of(paper: SourcePaper) -> dict[str, tuple[str, ...]]:
                 lengths.setdefault(name, len(entries))
     indices = range(1, 1 + (paper.period or 9))
     size = 3 if any(isinstance(node, CrossProduct) for node in nodes) else 0
-    rated = {name for item in paper.items for name in item.rates}
     for name in sorted(paper.words.vectors - found.keys()):
-        if along := _along_axes(name, names - paper.words.vectors, name not in rated, size == 3):
+        may_be = _may_be_point(name, paper)
+        if along := _along_axes(name, names - paper.words.vectors, may_be, size == 3):
             found[name] = along
     for name in paper.words.vectors:
         printed = (k for k in indices if symbol(name).component(k).name in names)
@@ -150,6 +151,30 @@ def _components_in_words(paper: SourcePaper) -> Iterator[tuple[str, tuple[str, .
             plain = len({*letters}) == len(listed) and not paper.words.vectors & {*letters}
             if name in paper.words.vectors and plain and len(letters) in (2, 3):
                 yield name, letters
+
+
+def _may_be_point(name: str, paper: SourcePaper) -> bool:
+    """Whether a vector may have the usual coordinates: words write out, or deduce, its equations.
+
+    What moves by equations of its own may be another one.
+    """
+    rows = [item for item in paper.items if name in item.rates]
+    if not rows:
+        return True
+    having = [item for item in paper.items if {*AXES} & item.names]
+    rated = [item for item in having if {*AXES} & {*item.rates}]
+    first = next((item for item in rated if item.order > rows[0].order), None)
+    before = [item for item in having if item.order < rows[0].order]
+    if first is None or before:
+        return False
+    said = any(cue(name, first.before) for name in ("restated", "deduced"))
+    said = said or bool(cue("that is", f"{first.lead} ") or _THIS_IS.search(first.before))
+    return said or bool(first.sentence == rows[0].sentence and _GIVES.search(first.lead))
+
+
+_GIVES = re.compile(r"\b(?:gives?|becomes?|yields?|да[её]т)\b", re.IGNORECASE)
+_THIS_IS = re.compile(r"\bthis\s+(?:is|reads|means|gives|becomes)\b|\bэто\s+да[её]т\b", re.IGNORECASE)
+"""Words that write vector equations out: in their sentence, or in another one."""
 
 
 def _along_axes(
