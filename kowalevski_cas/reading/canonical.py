@@ -20,6 +20,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading.fresh import is_fresh
 from kowalevski_cas.reading.kinetic import KINETIC, kinetic_energies
 from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, StatementRole
+from kowalevski_cas.reading.momenta_of_energies import momentum_by_change
 from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
@@ -81,11 +82,22 @@ def _as_sum(name: str, item: SourceStatement, known: Known) -> str:
 
 
 def momenta(known: Known, suffix: str) -> Iterator[tuple[SourceStatement, StatementRole]]:
-    """The momenta that nothing gives, of coordinates in which a kinetic energy is printed."""
+    """The momenta that nothing gives, of coordinates in which a kinetic energy is printed.
+
+    Or of new coordinates, in which a Hamiltonian is: these are momenta of a point transformation.
+    """
     names = frozenset().union(*(one.names for one in known.items))
     for name in sorted(names):
         printed, coordinate = kinetic_energies(name, known), symbol(name).index
-        if known.is_defined(name) or known.moves(name) or len(printed) != 1:
+        if known.is_defined(name) or known.moves(name):
+            continue
+        changed = symbol(name).letter in ("p", "P") and name not in known.later
+        if not printed and changed and (by := momentum_by_change(name, known)):
+            beside = next(one for one in known.items if name in one.names)
+            id = re.sub(r"\W+", "-", f"momentum-{name}{suffix}")
+            item = unprinted(known.paper, id, f"{name}={by}", beside, "its coordinate")
+            yield item, StatementRole(CONVENTION, "the momentum of a new coordinate", "", (name,))
+        if len(printed) != 1:
             continue
         with suppress(Meaningless):
             slope = _slope(printed[0].members[-1], coordinate)

@@ -40,14 +40,14 @@ def momentum(item: SourceStatement, known: Known) -> StatementRole | None:
         return None
     if known.is_defined(item.bare[0]) or symbol(item.bare[0]).letter not in ("p", "P"):
         return None
-    if not (_by_velocity(item, known) or _by_change(item, known)):
+    if not (_by_velocity(item, known) or momentum_by_change(item.bare[0], known)):
         return None
     return StatementRole(CLAIM, "words call it a momentum", OF_COORDINATE, item.bare[:1])
 
 
 def equation_of_momentum(item: SourceStatement, known: Known) -> SourceStatement:
     """That a momentum is a derivative of the Lagrangian, or that of a change of coordinates."""
-    tex = f"{item.bare[0]}={_by_velocity(item, known) or _by_change(item, known)}"
+    tex = f"{item.bare[0]}={_by_velocity(item, known) or momentum_by_change(item.bare[0], known)}"
     return unprinted(known.paper, f"momentum-{item.order}", tex, item, "its coordinate")
 
 
@@ -70,9 +70,9 @@ def _by_velocity(item: SourceStatement, known: Known) -> str:
     return rf"\frac{{\partial {letter}}}{{\partial \dot{{{name}}}}}" if name else ""
 
 
-def _by_change(item: SourceStatement, known: Known) -> str:
+def momentum_by_change(name: str, known: Known) -> str:
     """The momentum of a new coordinate with an index by those of the coordinates it gives."""
-    index = symbol(item.bare[0]).index
+    index = symbol(name).index
     for law in known.laws:
         new = [name for name in law.new if index in (name, symbol(name).index)]
         if not law.base or len(new) != 1:

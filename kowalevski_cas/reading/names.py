@@ -173,7 +173,9 @@ def _may_be_point(name: str, paper: SourcePaper) -> bool:
 
 
 _GIVES = re.compile(r"\b(?:gives?|becomes?|yields?|да[её]т)\b", re.IGNORECASE)
-_THIS_IS = re.compile(r"\bthis\s+(?:is|reads|means|gives|becomes)\b|\bэто\s+да[её]т\b", re.IGNORECASE)
+_THIS_IS = re.compile(
+    r"\bthis\s+(?:is|reads|means|gives|becomes)\b|\bэто\s+да[её]т\b", re.IGNORECASE
+)
 """Words that write vector equations out: in their sentence, or in another one."""
 
 

@@ -146,10 +146,19 @@ def hamiltonians_anew(
 
 
 def _is_in_new_momenta(item: SourceStatement, paper: SourcePaper) -> bool:
-    """Whether words say that a Hamiltonian is in other coordinates, and its momenta are new."""
-    momenta = {*_canonical(item)[1::2]}
-    before = (one for one in paper.items if one.order < item.order)
-    return bool(_IN_OTHER.search(item.before)) and all(momenta.isdisjoint(o.names) for o in before)
+    """Whether words say that a Hamiltonian is in other coordinates, and its momenta are new.
+
+    Where these coordinates are printed before, that it is the one in them is a claim.
+    """
+    pairs = _canonical(item)
+    before = [one for one in paper.items if one.order < item.order]
+    changed = any(
+        one.bare[:1] and one.bare[0] not in pairs and one.members[-1].names() & {*pairs[::2]}
+        for one in before
+        if not one.derives and len(one.members) == 2 and one.bare[:1] != item.bare[:1]
+    )
+    new = all({*pairs[1::2]}.isdisjoint(one.names) for one in before)
+    return bool(_IN_OTHER.search(item.before)) and new and not changed
 
 
 def _of_two_energies(paper: SourcePaper) -> Iterator[SourceStatement]:

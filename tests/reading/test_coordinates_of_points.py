@@ -9,7 +9,9 @@ FIELD = r"""The motion of a charge in the field $\mathbf B=(0,0,B)$ is governed 
 ROWS = r"\[\ddot x=\omega\dot y,\qquad\ddot y=-\omega\dot x,\qquad\ddot z=0 .\]"
 
 
-@pytest.mark.parametrize("words", ["In components, with $\\omega=eB/mc$,", "With $\\omega=eB/mc$ this is"])
+@pytest.mark.parametrize(
+    "words", ["In components, with $\\omega=eB/mc$,", "With $\\omega=eB/mc$ this is"]
+)
 def test_its_coordinates_are_the_usual_ones(words):
     assert [one.green for one in verdicts(FIELD + words + ROWS).values()] == [True] * 3
     wrong = verdicts(FIELD + words + ROWS.replace("-", ""))
@@ -30,7 +32,10 @@ def test_a_sentence_may_write_out_what_it_gives(rows, greens):
 
 
 def test_another_system_has_letters_of_its_own():
-    text = FIELD + r"Now consider another system, \[\ddot x=-x,\qquad\ddot y=-y .\] It has the integral $x\dot y-y\dot x$."
+    text = (
+        FIELD
+        + r"Now consider another system, \[\ddot x=-x,\qquad\ddot y=-y .\] It has the integral $x\dot y-y\dot x$."
+    )
     assert [one.green for one in verdicts(text).values()] == [True]
 
 

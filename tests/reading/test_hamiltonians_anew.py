@@ -48,3 +48,27 @@ def test_a_rate_beside_its_value_is_claimed(value, green):
     text = r"They have the solutions with $\theta=0$, $\dot\theta=0$, for which "
     found = verdicts(ATWOOD + text + rf"\[ \ddot r=-\kappa,\qquad \kappa=\frac g{value} . \]")
     assert [one.green for one in found.values()] == [green]
+
+
+OSCILLATOR = r"The Hamiltonian is \[H=\frac{1}{2}(p_x^2+p_y^2)+\frac12\omega^2(x^2+y^2) .\] "
+
+
+@pytest.mark.parametrize(
+    ("words", "form", "wrong"),
+    [
+        (
+            r"In polar coordinates, $x=r\cos\varphi$, $y=r\sin\varphi$, it becomes",
+            r"H=\frac12\left(p_r^2+\frac{p_\varphi^2}{r^2}\right)+\frac12\omega^2r^2",
+            (r"{r^2}", "{r}"),
+        ),
+        (
+            r"Put $x=\frac12(u^2-v^2)$, $y=uv$. Then",
+            r"H=\frac{p_u^2+p_v^2}{2(u^2+v^2)}+\frac18\omega^2(u^2+v^2)^2",
+            (r"\frac18", r"\frac14"),
+        ),
+    ],
+)
+def test_in_coordinates_that_are_printed_it_is_claimed(words, form, wrong):
+    text = rf"{OSCILLATOR}{words} \[{form} .\]"
+    assert [one.green for one in verdicts(text).values()] == [True]
+    assert [one.green for one in verdicts(text.replace(*wrong)).values()] == [False]
