@@ -20,6 +20,7 @@ from flint.utils.flint_exceptions import DomainError
 
 from kowalevski_cas.algebra.points import NoPoint
 from kowalevski_cas.algebra.programs import Op, Program, steps
+from kowalevski_cas.algebra.series import Series
 from kowalevski_cas.algebra.valuation import Valuation
 
 Residues = dict[str, nmod]
@@ -85,6 +86,8 @@ def satisfy(
     ``signs`` chooses among the two roots of each radicand. Raises :class:`NoPoint` if
     no order of solving is known, :class:`NoRoot` if an unknown has no value here.
     """
+    if any(isinstance(one, Series) for one in values.values()):
+        raise NoPoint("along a curve no equations are solved")
     found = dict(values)
     variable = nmod_poly([0, 1], prime), nmod_poly([1], prime)
     for system, unknowns in plan(tuple(equations)):

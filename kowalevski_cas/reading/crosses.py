@@ -10,6 +10,11 @@ from kowalevski_cas.notation.macros import GREEK, TYPED
 _PRODUCT = re.compile(r"\(\s*([A-Za-z]|\\[A-Za-z]+)\s*,\s*([A-Za-z]|\\[A-Za-z]+)\s*\)")
 _BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|bf|vec)\b(?!\s*\{?\s*R\b)")
 _RATE = re.compile(r"\\d?dot\b|\\frac\s*\{?\s*d\b")
+_DERIVED = re.compile(
+    r"\\d{1,3}ot(?![A-Za-z])\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\?[A-Za-z]+)"
+    r"|(?:\\(?:mathbf|boldsymbol|bm|vec)\s*(?:\{[^{}]*\}|\\?[A-Za-z]+)|\\?[A-Za-z])\s*(?:'|\^\s*\\prime)+"
+)
+"""A letter with dots, or with primes."""
 _SIGNS = GREEK | {r"\times": "×", r"\cdot": "·", r"\langle": "(", r"\rangle": ")"}
 _NOTHING = r"\dot \ddot \mathbf \boldsymbol \bm \bf \vec \left \right \bigl \bigr \big".split()
 _LETTER = r"[^\W\d_]"
@@ -53,9 +58,9 @@ def matrices_on_vectors(texts: Iterable[str]) -> frozenset[str]:
     r"""The capitals that make another vector of a vector: the product of the two is printed.
 
     As in :math:`I\omega\times\omega`, or in :math:`M=I\omega` beside :math:`M\times\omega`: numbers
-    would make all this zero.
+    would make all this zero. A vector and its derivative are two.
     """
-    letters = [*map(_letters, texts)]
+    letters = [_letters(_DERIVED.sub(";", tex)) for tex in texts]
     crosses = [match for text in letters for match in _CROSS.finditer(text)]
     pairs = {frozenset(match.group("left", "right")) for match in crosses}
     acting = {

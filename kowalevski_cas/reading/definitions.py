@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from kowalevski_cas.notation import (
     Application,
@@ -54,6 +55,7 @@ from kowalevski_cas.reading.phrases import (
     reach_of_constants,
     supposing,
     words_behind,
+    words_of,
 )
 from kowalevski_cas.reading.statements import SourceStatement, is_closing
 from kowalevski_cas.reading.unprinted import is_printed
@@ -153,6 +155,29 @@ def _is_given(name: str, known: Known) -> bool:
     return known.is_defined(name) and not (changed or any(map(is_closing, given)))
 
 
+def _chain(
+    item: SourceStatement, known: Known, fresh: Sequence[str], others: Sequence[Formula]
+) -> StatementRole | None:
+    r"""What a chain of equalities claims: that of a set where it ends with zero.
+
+    So does :math:`f\equiv Ap+Cr=0`, by which f has its name.
+    """
+    varying = known.varying(item.names - {*fresh})
+    if item.members[-1] == ZERO and len(item.members) > 2 and varying:
+        kinds = {"invariant": "invariant", "equilibrium": "rest"}
+        said = next(((k, s) for k in kinds if (s := words_of(item, k))), None)
+        if said is not None:
+            kind, words = said
+            why = f"“{words}” is said of the set"
+            return StatementRole(CLAIM, why, kinds[kind], (*fresh,))
+        why = f"names {plain(fresh[0])}, which vanishes on a set"
+        return StatementRole(DEFINITION, why, "", (*fresh,))
+    if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
+        why = f"a chain of equalities; it names {plain(fresh[0])}"
+        return StatementRole(CLAIM, why, "identity", (*fresh,))
+    return None
+
+
 def _is_coordinate(name: str, known: Known) -> bool:
     """Whether a name moves, or is what moves: with any index, or beyond the end of a chain."""
     giving = (*known.later.get(name, ()), *known.definitions.get(name, ()))
@@ -190,10 +215,7 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
     if role := _integral_that_defines(item, known, fresh) or _constant(item, known, fresh):
         return role
-    if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
-        why = f"a chain of equalities; it names {plain(fresh[0])}"
-        return StatementRole(CLAIM, why, "identity", (*fresh,))
-    if role := _level(item, known, fresh, others):
+    if role := _chain(item, known, fresh, others) or _level(item, known, fresh, others):
         return role
     return twin(fresh[0], item, known) or StatementRole(
         DEFINITION, f"first with {plain(fresh[0])} alone on a side", "", tuple(fresh)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 
 from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
 from kowalevski_cas.notation.symbol import symbol
@@ -16,6 +16,7 @@ from kowalevski_cas.reading.statements import SourceStatement
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.tried import amplitude_equations
 from kowalevski_cas.reading.unknowns import equations_before
+from kowalevski_cas.reading.unprinted import unprinted
 
 EQUATIONS = ("integral", "identity")
 """The kinds of claims that may hold on a part of the phase space only."""
@@ -131,7 +132,7 @@ def normalisations(item: SourceStatement, known: Known) -> SetOfEquations:
     letters = {symbol(name).letter for name in below if known.moves(name)}
     moving = [name for law in known.laws for name in law.variables]
     families = [{n for n in moving if symbol(n).letter == one} for one in sorted(letters)]
-    return tuple(
+    printed = tuple(
         one
         for one in known.items
         if one.order < item.order
@@ -143,6 +144,37 @@ def normalisations(item: SourceStatement, known: Known) -> SetOfEquations:
             or any(_is_sum_of_squares(one, family) for family in families)
         )
     )
+    return (*printed, *_in_words(vectors, item, known)) if not printed else printed
+
+
+_UNIT_VECTOR = re.compile(
+    r"\bunit\s+(?:\w+\s+){0,3}?vectors?[\s~]*$"
+    r"|\bединичн\w+\s+(?:\w+\s+){0,2}вектор\w*[\s~]*$",
+    re.IGNORECASE,
+)
+_IS_UNIT = re.compile(
+    r"[\s,~]*(?:be|is|denotes?|being|[-—–]+)\s+(?:the|an?)?\s*unit\s+(?:\w+\s+){0,3}?vector\b"
+    r"|[\s,~]*(?:[-—–]+|есть)?\s*единичн\w+\s+(?:\w+\s+){0,2}вектор",
+    re.IGNORECASE,
+)
+"""Words beside a vector that call it a unit vector."""
+
+
+def _in_words(
+    vectors: Collection[str], item: SourceStatement, known: Known
+) -> Iterator[SourceStatement]:
+    """That vectors which move are unit vectors, where words beside their letters say so."""
+    for one in known.items:
+        name = one.formula.name if isinstance(one.formula, Name) else ""
+        if one.order < item.order and name in vectors and known.moves(name):
+            if _UNIT_VECTOR.search(one.lead) or _IS_UNIT.match(one.tail):
+                id, why = f"unit-{one.order}-{item.order}", "words call it a unit vector"
+                yield unprinted(known.paper, id, rf"{name}\cdot{name}=1", one, why)
+                parts = {name, *known.names.vectors[name]}
+                rates = [n for law in known.laws for x, n in law.orders.items() if x in parts]
+                if max(rates, default=0) > 1:
+                    rate = rf"{name}\cdot\dot{{{name}}}=0"
+                    yield unprinted(known.paper, f"{id}-along", rate, one, why)
 
 
 def _is_square(one: SourceStatement, vector: str, known: Known) -> bool:

@@ -21,6 +21,7 @@ from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.lifted import (
     goes_on,
     has_what_vanishes,
+    is_cited_as_condition,
     is_lifted,
     lasts_to_the_end,
     may_lift,
@@ -338,7 +339,11 @@ class Known:
         """What is supposed of constants in the case that the words before a statement name."""
         about = ("", "of the sentence", FUNCTION)
         fixed = [one for one in self.assumptions if self.roles[one].kind in about]
-        return named_case(item, fixed, self.paper.prose)
+        named = named_case(item, fixed, self.paper.prose)
+        start = item.theorem[0] if item.theorem is not None else item.sentence[0]
+        words = self.paper.prose.text[start : item.typed.start]
+        cited = [one for one in fixed if one not in named and is_cited_as_condition(one, words)]
+        return [*named, *cited]
 
     def _is_in_force(self, one: SourceStatement, item: SourceStatement) -> bool:
         clauses = self._clauses(one.sentence)

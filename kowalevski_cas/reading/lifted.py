@@ -169,8 +169,20 @@ def _equal(one: SourceStatement) -> Iterator[str]:
         yield from one.bare
 
 
+def is_cited_as_condition(one: SourceStatement, words: str) -> bool:
+    """Whether words suppose, by its label, what a statement says: “if (3) holds”."""
+    cited = "|".join(map(re.escape, one.typed.labels))
+    condition = (
+        r"\b(?:if|when(?:ever)?|under|provided|suppos\w+|assum\w+|если|при|пусть|когда|предполож\w+)\b"
+        rf"[^.;§]{{0,40}}\\(?:eq)?ref\s*\{{(?:{cited})\}}"
+    )
+    return bool(cited) and re.search(condition, words, re.IGNORECASE) is not None
+
+
 def _is_left(one: SourceStatement, item: SourceStatement, prose: Prose) -> bool:
-    """Whether words behind what is supposed leave its case."""
+    """Whether words behind what is supposed leave its case; a sentence that cites it does not."""
+    if {*item.refs} & {*one.typed.labels}:
+        return False
     apart = one.sentence != item.sentence
     start = one.sentence[1] if apart else one.typed.end
     words = f"{prose.between(start, item.typed.start)} § {item.tail}"

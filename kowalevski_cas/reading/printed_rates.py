@@ -183,7 +183,8 @@ class PrintedRates:
         """Whether a statement gives a name an expression, and is neither a row nor of one."""
         if item in self.rows or item in self.momenta:
             return False
-        if any(map(is_numerical, item.members)) or is_dependence(item):
+        value = len(item.members) < 3 and any(map(is_numerical, item.members))
+        if value or is_dependence(item):  # but f≡Ap+Cr=0 names f
             return False
         if self.names.are_components(item.members) or _is_where_it_is(item):
             return False

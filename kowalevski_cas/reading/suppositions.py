@@ -279,6 +279,13 @@ def _says_first(item: SourceStatement, known: Known) -> bool:
 _SATISFY = re.compile(r"\b(?:satisf\w+|obey\w*|удовлетвор\w+)[\s~]*$", re.IGNORECASE)
 
 
+_CONDITION = re.compile(
+    r"\b(?:conditions?|restrictions?)(?:\s+(?:of\s+\w+|is|reads))?[\s:~]*$|\b(?:услови[ея]|ограничени[ея])(?:\s+\w+)?[\s:~]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which a condition on constants is displayed, and supposed where it is cited."""
+
+
 def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
     """What is supposed of constants, in force to the end of the section."""
     if not item.members or item.derives:
@@ -304,6 +311,9 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(ASSUMPTION, words, reach(item), tuple(moving))
     if known.varying(item.names) or not item.names:
         return None
+    if not item.typed.inline and not names and _CONDITION.search(item.lead):
+        gives, why = tuple(sorted(item.names)), "words call it a condition"
+        return StatementRole(ASSUMPTION, why, "of the sentence", gives)
     if not names and not said:
         return None
     if not said and any(name in derived_names(one) for name in names for one in known.items):
