@@ -17,7 +17,7 @@ from kowalevski_cas.reading.beginnings import gives_velocity
 from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.compositions import is_of_maps
 from kowalevski_cas.reading.cues import cue, cues
-from kowalevski_cas.reading.hypotheses import EQUATIONS
+from kowalevski_cas.reading.hypotheses import EQUATIONS, has_unit_vector_under_products
 from kowalevski_cas.reading.inertia import INERTIA
 from kowalevski_cas.reading.kept import kept_before
 from kowalevski_cas.reading.known import (
@@ -130,6 +130,7 @@ def doubt_of(
         or _is_called_real(rung, known)
         or _is_bracket_elsewhere(item, known)
         or _has_reaction(rung, item, known)
+        or has_unit_vector_under_products(known)
         or any(map(has_more_rows, known.laws))
         or parts.is_averaged(item)
         or kept_before(item, known)

@@ -6,7 +6,16 @@ import re
 from bisect import bisect_left
 from collections.abc import Collection, Iterator
 
-from kowalevski_cas.notation import Modulus, Name, Number, Power, ScalarProduct, Sum
+from kowalevski_cas.notation import (
+    CrossProduct,
+    Derivative,
+    Modulus,
+    Name,
+    Number,
+    Power,
+    ScalarProduct,
+    Sum,
+)
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, SETS, Known
@@ -158,6 +167,25 @@ _IS_UNIT = re.compile(
     re.IGNORECASE,
 )
 """Words beside a vector that call it a unit vector."""
+
+
+def has_unit_vector_under_products(known: Known) -> bool:
+    """Whether words call a vector a unit vector of which a law gives no derivative alone."""
+    rows = [row for law in known.laws for row in law.rows]
+    return any(
+        isinstance(one.formula, Name)
+        and (_UNIT_VECTOR.search(one.lead) or _IS_UNIT.match(one.tail))
+        and any(_is_in_product(one.formula.name, row) for row in rows)
+        for one in known.items
+    )
+
+
+def _is_in_product(name: str, row: SourceStatement) -> bool:
+    """Whether a derivative of a vector stands in a vector product of a row."""
+    nodes = row.formula.nodes() if row.formula is not None else ()
+    products = [node for node in nodes if isinstance(node, CrossProduct)]
+    inner = (one for product in products for one in product.nodes())
+    return any(isinstance(one, Derivative) and name in one.names() for one in inner)
 
 
 def _in_words(

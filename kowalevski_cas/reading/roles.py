@@ -87,6 +87,7 @@ from kowalevski_cas.reading.statements import SourceStatement, is_dependence, is
 from kowalevski_cas.reading.suppositions import (
     POSITIVE,
     assumption,
+    called_condition,
     in_brackets,
     in_several_cases,
     inequality,
@@ -461,7 +462,7 @@ RULES: tuple[Rule, ...] = (
     inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,
     special_function, change, roots, by_steps, claimed_set, point, tried, of_roots_spoken_of,
     solution, constant_of_solution, energy, momentum, normalisation, of_place, on_place, of_levels,
-    in_brackets, one_of_several, constant, definition, square, assumption, value, approximate,
-    set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,
+    in_brackets, one_of_several, constant, definition, square, called_condition, assumption, value,
+    approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

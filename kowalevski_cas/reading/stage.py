@@ -360,7 +360,8 @@ class Stage:
         """
         law = {mark for one in self.known.laws for row in one.rows for mark in row.marks}
         marks = frozenset().union(*(item.marks for item in items))
-        if self.known.clocks and law == {"prime"} and marks & {"dot", "t"}:
+        told = self.known.clocks or _OF_DOTS.search(self.known.paper.prose.text)
+        if told and law == {"prime"} and marks & {"dot", "t"}:
             raise ValueError("a dot derives by another time than the primes of the law: print both")
         marks -= {"dot", "t"}
         marks -= {"prime"} & law
@@ -563,6 +564,13 @@ def _is_beside(name: str, head: str, index: str) -> bool:
     """Whether a name has a letter, and an index with something added to another one."""
     parts = symbol(name)
     return parts.head == head and bool(re.fullmatch(rf"{index}[+-]\w+", parts.index))
+
+
+_OF_DOTS = re.compile(
+    r"\b(?:over)?dots?\b[^.;]{0,40}?\b(?:derivatives?|differentiat\w+)\b|\bточк\w+\b[^.;]{0,40}?(?:производн|дифференц)\w+",
+    re.IGNORECASE,
+)
+"""Words that say by what dots derive."""
 
 
 def with_assumption(scene: Scene, item: SourceStatement, known: Known) -> Scene:

@@ -283,7 +283,18 @@ _CONDITION = re.compile(
     r"\b(?:conditions?|restrictions?)(?:\s+(?:of\s+\w+|is|reads))?[\s:~]*$|\b(?:услови[ея]|ограничени[ея])(?:\s+\w+)?[\s:~]*$",
     re.IGNORECASE,
 )
-"""How words end behind which a condition on constants is displayed, and supposed where it is cited."""
+"""How words end behind which a condition on constants is displayed."""
+
+
+def called_condition(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A condition on constants, as words call it: it is supposed where it is cited."""
+    if not item.members or item.derives or item.typed.inline or supposing(item):
+        return None
+    given = any(not known.varies(name) for name in item.bare)
+    if given or known.varying(item.names) or not (item.names and _CONDITION.search(item.lead)):
+        return None
+    why, names = "words call it a condition", tuple(sorted(item.names))
+    return StatementRole(ASSUMPTION, why, "of the sentence", names)
 
 
 def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
@@ -311,9 +322,6 @@ def assumption(item: SourceStatement, known: Known) -> StatementRole | None:
         return StatementRole(ASSUMPTION, words, reach(item), tuple(moving))
     if known.varying(item.names) or not item.names:
         return None
-    if not item.typed.inline and not names and _CONDITION.search(item.lead):
-        gives, why = tuple(sorted(item.names)), "words call it a condition"
-        return StatementRole(ASSUMPTION, why, "of the sentence", gives)
     if not names and not said:
         return None
     if not said and any(name in derived_names(one) for name in names for one in known.items):
