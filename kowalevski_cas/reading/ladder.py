@@ -35,6 +35,7 @@ from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisati
 from kowalevski_cas.reading.kept import constancy
 from kowalevski_cas.reading.momenta_of_energies import OF_COORDINATE, equation_of_momentum
 from kowalevski_cas.reading.motion_rungs import along_solution, of_motion, solutions, to_some_order
+from kowalevski_cas.reading.named_roots import IS_ROOT, equation_with_root
 from kowalevski_cas.reading.parameters import held_fixed
 from kowalevski_cas.reading.phrases import solved_by
 from kowalevski_cas.reading.places_of_rest import velocities_at_rest
@@ -374,6 +375,15 @@ class _Ladder(RungMaker):
             items = (self.item, by)
             yield self.rung(Identity, says, assumptions, (), items, printed=by.printed)
 
+    def of_named_root(self) -> Iterator[Rung]:
+        """That a letter with an index is a root of the equation before it."""
+        by = equation_with_root(self.item, self.known)
+        if by is None:
+            raise ValueError("the equation of which it is a root is not seen")
+        for assumptions in self.suppositions():
+            says, items = "this is a root of the equation before it", (self.item, by)
+            yield self.rung(Identity, says, assumptions, (), items, printed=by.printed)
+
     # -- roots -----------------------------------------------------------------------
 
     def of_roots(self) -> Iterator[Rung]:
@@ -388,5 +398,6 @@ _BY_WORDS = {
     "energy": _Ladder.of_energy,
     OF_ROOTS: _Ladder.of_roots,
     OF_COORDINATE: _Ladder.of_momentum,
+    IS_ROOT: _Ladder.of_named_root,
 }
 """What is claimed of what words name, by the kind of its role."""

@@ -48,6 +48,7 @@ from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.momenta_of_energies import momentum
+from kowalevski_cas.reading.named_roots import equation_for_roots, named_root
 from kowalevski_cas.reading.normalised import normalisation
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.other_numbers import other_number
@@ -461,8 +462,9 @@ RULES: tuple[Rule, ...] = (
     reaction, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
     inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,
     special_function, change, roots, by_steps, claimed_set, point, tried, of_roots_spoken_of,
-    solution, constant_of_solution, energy, momentum, normalisation, of_place, on_place, of_levels,
-    in_brackets, one_of_several, constant, definition, square, called_condition, assumption, value,
-    approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral, identity, other,
+    solution, constant_of_solution, energy, momentum, named_root, normalisation, of_place,
+    on_place, of_levels, in_brackets, one_of_several, constant, definition, square,
+    called_condition, assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
+    level, integral, equation_for_roots, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

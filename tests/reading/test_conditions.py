@@ -51,7 +51,9 @@ where $\mathbf n$ is WHAT. The energy $E=\frac12\dot{\mathbf n}^2-\mathbf g\cdot
 
 
 def test_a_unit_vector_by_words_keeps_its_length():
-    assert [one.green for one in verdicts(SPHERE.replace("WHAT", "a unit vector")).values()] == [True]
+    assert [one.green for one in verdicts(SPHERE.replace("WHAT", "a unit vector")).values()] == [
+        True
+    ]
     assert [one.green for one in verdicts(SPHERE.replace("WHAT", "a vector")).values()] == [False]
     wrong = SPHERE.replace("WHAT", "a unit vector").replace(r"-\mathbf g\cdot", r"+\mathbf g\cdot")
     assert [one.green for one in verdicts(wrong).values()] == [False]
