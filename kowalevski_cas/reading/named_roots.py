@@ -79,8 +79,8 @@ def _equation_before(item: SourceStatement, known: Known) -> SourceStatement | N
         return None
     name, value = item.bare[0], item.members[-1]
     letter = replace(symbol(name), index="").name
-    fixed = item.derives or known.varying(value.names() - {letter}) or letter in value.names()
-    if letter == name or fixed or known.moves(name):
+    moved = any(map(known.moves, value.names() - {letter}))
+    if letter == name or item.derives or moved or letter in value.names() or known.moves(name):
         return None
     before = [
         one
@@ -95,7 +95,7 @@ def _equation_before(item: SourceStatement, known: Known) -> SourceStatement | N
         return None
     beside = of.sentence == item.sentence
     words = f"{of.before if beside else ''} § {of.tail} {item.before}"
-    if not _ROOTS.search(words) or known.varying(of.names - {letter}):
+    if not _ROOTS.search(words) or any(map(known.moves, of.names - {letter})):
         return None
     left = of.members[0]
     at = not isinstance(left, Application) or left.arguments == (Name(letter),)

@@ -48,7 +48,7 @@ from kowalevski_cas.reading.letters_of_vectors import members_of_spaces
 from kowalevski_cas.reading.levels import level
 from kowalevski_cas.reading.linear_parts import eigenvalue, linear_part, trace_or_determinant
 from kowalevski_cas.reading.momenta_of_energies import momentum
-from kowalevski_cas.reading.named_roots import equation_for_roots, named_root
+from kowalevski_cas.reading.named_roots import IS_ROOT, equation_for_roots, named_root
 from kowalevski_cas.reading.normalised import normalisation
 from kowalevski_cas.reading.obey import said_role
 from kowalevski_cas.reading.other_numbers import other_number
@@ -152,7 +152,7 @@ def _says_else(item: SourceStatement, inferred: StatementRole, known: Known) -> 
     if (said := cue("either", item.before)) and inferred.kind != "rest":
         return f"“{said.split()[0]}” leaves open whether it is this"
     timed = any(known.times & known.below(name) for name in item.names)
-    words = said_of(item)
+    words = item.lead if inferred.kind == IS_ROOT else said_of(item)
     said = cue("only if", words) or cue("in the mean", words)
     said = said or (cue("timeless", item.words) if timed else "")
     return said and f"“{said}” says another thing than is judged"
