@@ -169,19 +169,27 @@ def _equal(one: SourceStatement) -> Iterator[str]:
         yield from one.bare
 
 
+_SUPPOSES = (
+    r"\b(?:if|when(?:ever)?|under|provided|suppos\w+|assum\w+|если|при|пусть|когда|предполож\w+)[\s,]+"
+    r"(?:(?:that|the|this|both|что|condition|relation|restriction|equality|assumption|hypothesis"
+    r"|выполнен\w*|выполня\w+|услови\w+|соотношени\w+|равенств\w+)\s+){0,4}\(?"
+)
+_FAILS = (
+    r"(?!\)?[\s~]*(?:(?:does|do|is)\s+not|fails?|is\s+(?:violated|false|replaced)|не\s|наруш))"
+)
+"""What stands before the label of a condition that is supposed, and does not stand behind it."""
+
+
 def is_cited_as_condition(one: SourceStatement, words: str) -> bool:
     """Whether words suppose, by its label, what a statement says: “if (3) holds”."""
     cited = "|".join(map(re.escape, one.typed.labels))
-    condition = (
-        r"\b(?:if|when(?:ever)?|under|provided|suppos\w+|assum\w+|если|при|пусть|когда|предполож\w+)\b"
-        rf"[^.;§]{{0,40}}\\(?:eq)?ref\s*\{{(?:{cited})\}}"
-    )
+    condition = rf"{_SUPPOSES}\\(?:eq)?ref\s*\{{(?:{cited})\}}{_FAILS}"
     return bool(cited) and re.search(condition, words, re.IGNORECASE) is not None
 
 
 def _is_left(one: SourceStatement, item: SourceStatement, prose: Prose) -> bool:
     """Whether words behind what is supposed leave its case; a sentence that cites it does not."""
-    if {*item.refs} & {*one.typed.labels}:
+    if is_cited_as_condition(one, item.before):
         return False
     apart = one.sentence != item.sentence
     start = one.sentence[1] if apart else one.typed.end

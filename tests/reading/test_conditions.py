@@ -19,12 +19,15 @@ RATE = r"\[\dot f=x_0(B-C)qr+z_0(A-B)pq=\frac{z_0(A-B)}{Ax_0}qf .\]"
         (r"If \eqref{h} holds, the relation", True),
         (r"Under the condition \eqref{h} the relation", True),
         (r"The relation", False),
+        (r"If \eqref{h} does not hold, the relation", False),
+        (r"If we differentiate \eqref{h}, the relation", False),
+        (r"When the condition \eqref{h} is violated, the relation", False),
     ],
 )
 def test_a_condition_holds_where_it_is_cited(words, green):
-    assert [one.green for one in verdicts(f"{FOUND}{words} {SET}").values()] == [green]
+    assert any(one.green for one in verdicts(f"{FOUND}{words} {SET}").values()) is green
     wrong = verdicts(f"{FOUND}{words} {SET.replace('+C', '-C')}")
-    assert [one.green for one in wrong.values()] == [False]
+    assert not any(one.green for one in wrong.values())
 
 
 def test_it_reaches_from_a_theorem_to_its_proof():
@@ -38,6 +41,11 @@ def test_it_reaches_from_a_theorem_to_its_proof():
 def test_who_cites_what_is_supposed_does_not_leave_it():
     text = rf"{EULER}Suppose that {HESS}. If \eqref{{h}} holds, the relation {SET}"
     assert [one.green for one in verdicts(text).values()] == [True]
+
+
+def test_who_denies_it_leaves_it():
+    text = rf"{EULER}Suppose that {HESS}. If \eqref{{h}} does not hold, the relation {SET}"
+    assert not any(one.green for one in verdicts(text).values())
 
 
 def test_a_rate_of_what_a_chain_names_is_no_other_law():
