@@ -41,6 +41,12 @@ _CIRCULAR = re.compile(
     re.IGNORECASE,
 )
 """Words for motions on circles, on which the radius is constant."""
+_MORE = re.compile(
+    r"\b(?:all|any|every|each|general|arbitrary|other)\s+(?:(?!circular)\w+\s+)?(?:orbit|motion|trajector|solution)\w*"
+    r"|\b(?:as|like|unlike|only|also|even|both|not|как|не|также|всех)\b",
+    re.IGNORECASE,
+)
+"""Words by which it may be said of other motions, too."""
 _RADII = ("r", "\\rho", "R")
 
 
@@ -89,7 +95,8 @@ def _radius_kept(item: SourceStatement, known: Known) -> list[str]:
     """The radius that is constant where words before a statement speak of circular orbits."""
     names = dict.fromkeys(name for law in known.laws for name in law.variables)
     found = [name for name in names if symbol(name).letter in _RADII]
-    return found if len(found) == 1 and _CIRCULAR.search(item.before) else []
+    said = _CIRCULAR.search(item.before) and not _MORE.search(item.before)
+    return found if len(found) == 1 and said else []
 
 
 def _order(name: str, known: Known) -> int:

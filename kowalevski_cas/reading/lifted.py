@@ -174,9 +174,7 @@ _SUPPOSES = (
     r"(?:(?:that|the|this|both|что|condition|relation|restriction|equality|assumption|hypothesis"
     r"|выполнен\w*|выполня\w+|услови\w+|соотношени\w+|равенств\w+)\s+){0,4}\(?"
 )
-_FAILS = (
-    r"(?!\)?[\s~]*(?:(?:does|do|is)\s+not|fails?|is\s+(?:violated|false|replaced)|не\s|наруш))"
-)
+_FAILS = r"(?!\)?[\s~]*(?:(?:does|do|is)\s+not|fails?|is\s+(?:violated|false|replaced)|не\s|наруш))"
 """What stands before the label of a condition that is supposed, and does not stand behind it."""
 
 

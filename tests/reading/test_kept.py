@@ -71,3 +71,25 @@ def test_values_of_several_integrals():
     assert last.green
     *_, last = verdicts(text.replace(r"-\frac ka", r"+\frac ka")).values()
     assert not last.green
+
+
+WITH_ENERGY = r"""A particle moves by \[\ddot r-r\dot\varphi^2=-\frac{\mu}{r^2},\qquad r\ddot\varphi+2\dot r\dot\varphi=0 .\]
+With $l=r^2\dot\varphi$ the energy is \[E=\tfrac12(\dot r^2+r^2\dot\varphi^2)-\frac\mu r .\] """
+
+
+@pytest.mark.parametrize(
+    ("words", "green"),
+    [
+        ("On a circular orbit of radius $r$", True),
+        ("For circular orbits we have", True),
+        ("On every circular orbit", True),
+        ("Circular orbits are stable. In general", False),
+        ("For all orbits, as on a circular orbit,", False),
+        ("Not only on circular orbits", False),
+    ],
+)
+def test_on_circular_orbits_the_radius_is_constant(words, green):
+    found = [*verdicts(rf"{WITH_ENERGY}{words} \[E=-\frac{{\mu}}{{2r}} .\]").values()][-1:]
+    assert [one.green for one in found] == [green]
+    found = [*verdicts(rf"{WITH_ENERGY}{words} \[E=-\frac{{\mu}}{{r}} .\]").values()][-1:]
+    assert [one.green for one in found] == [False]
