@@ -34,8 +34,8 @@ _ITS_VALUE = re.compile(
 )
 """How words end before a letter that is the value of what stands before it."""
 _HAS_VALUE = re.compile(
-    r"[\s~,]*\b(?:ha(?:s|ve)|having|tak(?:es?|ing)|assum(?:es?|ing)|with|принимает|имеет)\s+(?:then\s+)?(?:the|an?)?\s*"
-    r"(?:(?:constant|fixed|conserved|given|постоянное)\s+)*(?:value|constant|значение)[\s~]*",
+    r"[\s~,]*\b(?:ha(?:s|ve)|having|tak(?:es?|ing)|assum(?:es?|ing)|принимает|имеет)\s+(?:then\s+)?(?:the\s+)?"
+    r"(?:(?:constant|fixed|conserved|given|постоянное)\s+)*(?:value|значение)[\s~]*",
     re.IGNORECASE,
 )
 """Words between a function and the letter of its value."""

@@ -41,6 +41,8 @@ def test_a_name_stands_for_the_value_of_a_function_along_the_motion(words):
         "Denote by $x_0$ and $E$ the values of $x$ and $H$ at the time $t_0$.",
         "Через $E$ обозначим наибольшее значение $H$.",
         "Через $E$ обозначим значение $H$ в начале координат.",
+        "Here $H$ has a constant $E$ in it.",
+        "Let $H$ be measured with a constant $E$.",
     ],
 )
 def test_a_value_at_a_place_or_of_something_else_is_none(words):
