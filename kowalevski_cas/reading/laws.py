@@ -100,15 +100,12 @@ def _needs_momenta(rows: Sequence[SourceStatement], law: Law, paper: SourcePaper
     momenta = rated - {*law.variables}
     energies = {name for row in rows for name in derived_names(row)}
     given = {one.bare[0] for one in paper.items if one.bare and one.members[0] == Name(one.bare[0])}
-    used = [one for one in paper.items if not {*one.bare[:1]} & energies]
-    derived = any(one.derives and one.names & energies for one in used)
+    used = (one for one in paper.items if not {*one.bare[:1]} & energies)
     return (
         {*law.variables} < rated
         and len(momenta) == len(law.variables)
         and not momenta & given
-        and (
-            derived or any(momenta & one.names for one in used if not isinstance(one.formula, Name))
-        )
+        and any(momenta & one.names for one in used if not isinstance(one.formula, Name))
         and all(map(is_of_motion, law.rows))
     )
 

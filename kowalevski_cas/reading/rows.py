@@ -167,6 +167,4 @@ _OTHERWISE = ("another case", "ideal case", "linear", "approximate", "force", "s
 def is_of_motion(row: SourceStatement) -> bool:
     """Whether words call a row an equation of motion, or derive it, and speak of no other case."""
     said = _OF_MOTION.search(row.before) or cue("deduced", row.before)
-    if row.earlier and cue("hamiltonian", row.earlier[0]):
-        said = said or cue("then", row.before)
     return bool(said) and not any(cue(name, row.words) for name in _OTHERWISE)
