@@ -430,7 +430,8 @@ class Known:
 
         A later assumption about the same one name, as x > 0 after x = 0, takes the place of one.
         """
-        bound = [*self.bound, *self._together(item)]
+        bound = [one for one in self.bound if one.order < item.order or one.section is item.section]
+        bound += self._together(item)
         before = [one for one in self.assumptions if one.order < item.order and one not in bound]
         last = {one.names: one for one in sorted(before, key=lambda one: one.order)}
         return [one for one in bound if one is not item] + [

@@ -46,7 +46,7 @@ _SMALL = (
 _FREQUENCY = (
     r"(?P<squares>(?:squares?\s+of\s+the\s+|квадрат\w*\s+)?)"
     r"(?:(?:angular|circular|cyclic|common|natural|круговой|круговую|циклическ\w+)\s+)?"
-    r"(?:frequenc(?:y|ies)|частот\w*)(?:[\s~]+§)?"
+    r"(?:frequenc(?:y|ies)|wave\s*numbers?|частот\w*|волнов\w+\s+чис\w+)(?:[\s~]+§)?"
 )
 _PERIOD = r"(?P<squares>)(?:periods?|период\w*)(?:[\s~]+§)?"
 _PLACE = (
@@ -55,7 +55,7 @@ _PLACE = (
 )
 _IS = (
     r"(?:is|are|equals?|(?:is|are)\s+(?:given|determined)\s+by(?:\s+the\s+(?:formula|equation|expression|relation))?"
-    r"|(?:определя|да)[её]тся(?:\s+(?:формул|равенств|выражени|соотношени)\w+)?|равн\w+|есть|суть|[-—–]+)?"
+    r"|(?:определя|да)[её]тся(?:\s+(?:формул|равенств|выражени|соотношени)\w+)?|рав(?:ен|н\w+)|есть|суть|[-—–]+)?"
     r"(?:[\s,~]*(?:then|therefore|thus|hence|поэтому|тогда)\b)?[\s:,~]*(?:§[\s,~]*(?:where|with|где)[\s~]*)?$"
 )
 

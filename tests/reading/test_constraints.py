@@ -243,3 +243,11 @@ def test_what_binds_the_coordinates_of_two_systems_is_read():
     text = r"Let $m\ddot x=\lambda x$. Let $m\ddot y=\lambda y$. Here $x^2+y^2=1$. "
     found = verdicts(rf"{text}Then $\frac m2(\dot x^2-\dot y^2)$ is constant.")
     assert not any(one.green for one in found.values())
+
+
+def test_a_constraint_of_a_later_section_holds_nowhere_before():
+    law = r"\section{One} The equation of motion is \[a\ddot\varphi=-g\sin\varphi .\] Then \[\frac{d}{dt}(a\dot\varphi^2-2g\cos\varphi)=0 .\] "
+    later = r"""\section{Two} Consider now the constraint \[r\dot\theta-a\dot\varphi=0 .\] With the multiplier $\lambda$
+    \[ma^2\ddot\varphi=-mga\sin\varphi+\lambda a,\qquad J\ddot\theta=-\lambda r .\]"""
+    found = verdicts(law + later)
+    assert next(iter(found.values())).green

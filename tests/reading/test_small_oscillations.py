@@ -226,3 +226,10 @@ def test_each_polynomial_of_a_display_has_its_own_place():
     words = r"The characteristic polynomials are \[-\lambda(\lambda^2+k^2)\quad\text{at }(0,0,k),\qquad "
     words += r"-\lambda(\lambda^2-k)\quad\text{at }(k,0,0) .\]"
     assert not any(one.green for one in verdicts(FAMILIES + words).values())
+
+
+@pytest.mark.parametrize(("value", "green"), [(r"\frac{3l}{2g}", True), (r"\frac{2l}{3g}", False)])
+def test_a_period_in_russian_words(value, green):
+    law = r"Уравнение движения имеет вид \[\ddot\varphi+\frac{2g}{3l}\sin\varphi=0 .\] "
+    said = rf"Период малых колебаний около $\varphi=0$ равен \[T=2\pi\sqrt{{{value}}} .\]"
+    assert [one.green for one in verdicts(law + said).values()] == [green]
