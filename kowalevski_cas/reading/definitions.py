@@ -155,6 +155,10 @@ def _is_given(name: str, known: Known) -> bool:
     return known.is_defined(name) and not (changed or any(map(is_closing, given)))
 
 
+_WITH_ZERO = 3
+"""The members of a chain that names a function, and says no more than where it vanishes."""
+
+
 def _chain(
     item: SourceStatement, known: Known, fresh: Sequence[str], others: Sequence[Formula]
 ) -> StatementRole | None:
@@ -163,7 +167,7 @@ def _chain(
     So does :math:`f\equiv Ap+Cr=0`, by which f has its name.
     """
     varying = known.varying(item.names - {*fresh})
-    if item.members[-1] == ZERO and len(item.members) > 2 and varying:
+    if item.members[-1] == ZERO and len(item.members) == _WITH_ZERO and varying:
         kinds = {"invariant": "invariant", "equilibrium": "rest"}
         said = next(((k, s) for k in kinds if (s := words_of(item, k))), None)
         if said is not None:

@@ -31,6 +31,8 @@ from kowalevski_cas.reading.matrices_in_words import matrices_in_words
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement, is_numerical
 
+_END = re.compile(r"\\end\s*\{\w+\*?\}")
+
 
 class StatementRole(NamedTuple):
     """What a statement is for its paper, with the reason in words.
@@ -340,10 +342,19 @@ class Known:
         about = ("", "of the sentence", FUNCTION)
         fixed = [one for one in self.assumptions if self.roles[one].kind in about]
         named = named_case(item, fixed, self.paper.prose)
-        start = item.theorem[0] if item.theorem is not None else item.sentence[0]
-        words = self.paper.prose.text[start : item.typed.start]
+        words = self._conditions_at(item)
         cited = [one for one in fixed if one not in named and is_cited_as_condition(one, words)]
         return [*named, *cited]
+
+    def _conditions_at(self, item: SourceStatement) -> str:
+        """The words before a statement in its sentence, or all of one that the proof is of."""
+        prose, (start, _) = self.paper.prose, item.theorem or item.sentence
+        words = prose.text[item.sentence[0] : item.typed.start]
+        proof = prose.text.find(r"\begin{proof", start, item.typed.start)
+        behind = (prose.text[stop:proof] for stop in prose.stops if start < stop < proof)
+        if proof < 0 or any(re.search(r"\w", _END.sub("", one)) for one in behind):
+            return words  # of several sentences it is not seen which one the proof is of
+        return f"{prose.text[start:proof]} {words}"
 
     def _is_in_force(self, one: SourceStatement, item: SourceStatement) -> bool:
         clauses = self._clauses(one.sentence)

@@ -20,6 +20,7 @@ from kowalevski_cas.reading.beginnings import (
     where_it_begins,
 )
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.kept import constancy
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.nearby import near
@@ -142,6 +143,8 @@ def of_motion(at: RungMaker) -> Iterator[Rung]:
         return
     if any(item.names & one.names - {*law.variables} for one in known.sets(item)):
         return  # its constants have values there
+    if constancy(item, known):
+        return  # it is deduced of the motions that keep this, and no set is chosen by it
     if not begins.values and _is_deduced_of_all(item, known):
         return
     says = "no motion leaves the set where both sides are equal"

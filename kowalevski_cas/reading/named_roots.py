@@ -75,8 +75,8 @@ def equation_with_root(item: SourceStatement, known: Known) -> SourceStatement |
 
 def _equation_before(item: SourceStatement, known: Known) -> SourceStatement | None:
     """The equation for a letter of which it is a root, by words, with an index."""
-    if len(item.members) < 2 or not item.bare or item.members[0] != Name(item.bare[0]):
-        return None
+    if len(item.members) != 2 or not item.bare or item.members[0] != Name(item.bare[0]):
+        return None  # of a longer chain more is said than that its end is a root
     name, value = item.bare[0], item.members[-1]
     letter = replace(symbol(name), index="").name
     moved = any(map(known.moves, value.names() - {letter}))

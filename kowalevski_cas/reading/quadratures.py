@@ -62,6 +62,8 @@ def _left(tex: str, times: Collection[str]) -> str:
     if inner is None or behind is None:
         return ""
     name, above, below, _ = inner
+    if not _is_factor(found["factor"], name):
+        return ""
     above = found["factor"].replace(r"\pm", " ").strip() + above.strip()
     return found["lead"] + _rate(name, found["time"], above, below, "") + behind["end"]
 
@@ -75,9 +77,17 @@ def _right(tex: str, times: Collection[str]) -> str:
     behind = _RIGHT.match(tex, end)
     if behind is None or behind["time"] not in times or not _END.fullmatch(tex, behind.end()):
         return ""
+    if not _is_factor(behind["factor"], name):
+        return ""
     factor = behind["factor"].replace(r"\pm", " ").strip()
     rate = _rate(name, behind["time"], above, below, factor)
     return found["lead"] + rate + tex[behind.end() :]
+
+
+def _is_factor(tex: str, name: str) -> bool:
+    """Whether what stands before an integral, or the time, is one factor that does not vary."""
+    inner = tex.strip().removeprefix("-")
+    return re.search(rf"[+-]|(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])", inner) is None
 
 
 def _integrand(tex: str, at: int) -> tuple[str, str, str, int] | None:

@@ -61,8 +61,100 @@ def on_a_circle(chosen: Random) -> tuple[str, str, str]:
     return text, str(a), str(a + chosen.choice([1, 2]))
 
 
+def by_a_constant(chosen: Random) -> tuple[str, str, str]:
+    """A velocity by a constant of integration, or a letter that words give to the energy."""
+    force = _force(chosen)
+    potential = latex(integrate(-force, x))
+    named = chosen.choice(["Denote the value of $E$ by $h$.", "Let $h$ be the value of $E$.", ""])
+    energy = rf"The energy is \[E=\frac12\dot x^2+({potential}).\] {named} Then"
+    words = energy if named else "Multiplying by the velocity and integrating we find"
+    end = "" if named else chosen.choice(["", ", where $h$ is a constant of integration"])
+    text = (
+        rf"A point moves by \[\ddot x={latex(force)}.\] {words}"
+        rf" \[\dot x^2=2h-%s({potential})\]{end}."
+    )
+    return text, "2", latex(2 + chosen.choice([-1, Rational(1, 2), 1, 2]))
+
+
+def by_a_quadrature(chosen: Random) -> tuple[str, str, str]:
+    """A quadrature by the time, with a factor before it or behind."""
+    force = _force(chosen)
+    square = rf"2h-2({latex(integrate(-force, x))})"
+    factor = chosen.choice([1, 2, 3])
+    integral = rf"\int\frac{{%s\,dx}}{{\sqrt{{{square}}}}}"
+    form = chosen.choice([rf"{factor}t={integral}", rf"{integral}={factor}(t-t_0)"])
+    form = rf"t-t_0=\frac1{factor}{integral}" if form.startswith(f"{factor}t") else form
+    text = (
+        rf"A point moves by \[\ddot x={latex(force)}.\] Integrating, \[\dot x^2={square}.\]"
+        rf" Hence \[{form}.\]"
+    )
+    return text, str(factor), str(factor + chosen.choice([1, 2]))
+
+
+def of_roots(chosen: Random) -> tuple[str, str, str]:
+    """A root of a quadratic equation, which may be a double one, with a letter in it."""
+    a, shift = chosen.choice([1, 2, 3]), chosen.choice([0, 0, 1, 4])
+    words = chosen.choice(["It has the roots", "whence", "Solving it we find"])
+    start = ", " if words == "whence" else ". "
+    text = (
+        rf"The points of rest of $\ddot x={a}x^2-2bx+c$ satisfy ${a}x^2-2bx+c=0${start}{words}"
+        rf" \[x_{{1,2}}=\frac{{b\pm\sqrt{{b^2-%s c}}}}{{{a}}}.\]"
+    )
+    if not shift:
+        return text, str(a), str(a + chosen.choice([1, 2]))
+    double = rf"For $u$ we have \[{a}(u-k)^2=0.\] It has the double root \[u_0=%sk.\] Here $\ddot y=-ky$."
+    return double, "", str(1 + shift)
+
+
+def on_a_circular_orbit(chosen: Random) -> tuple[str, str, str]:
+    """The velocity on a circular orbit of a force that is a power of the distance."""
+    n = chosen.choice([-1, 1, 2, 3, 4])
+    force = rf"-\frac{{\mu}}{{r^{n}}}" if n > 0 else r"-\mu r"
+    words = chosen.choice(["On a circular orbit", "For circular orbits we have"])
+    below = rf"r^{n + 1}" if n > 0 else "1"
+    text = (
+        rf"A particle moves by \[\ddot r-r\dot\varphi^2={force},\qquad"
+        rf" r\ddot\varphi+2\dot r\dot\varphi=0.\] {words} $\dot\varphi^2=%s\frac{{\mu}}{{{below}}}$."
+    )
+    return text, "", chosen.choice(["2", "3", "-"])
+
+
+def of_an_amplitude(chosen: Random) -> tuple[str, str, str]:
+    """The phase of a complex variable, by real letters."""
+    a, n = chosen.choice([1, 2, 3]), chosen.choice([1, 2])
+    modulus, power = ("|z|^2", r"r^2") if n == 1 else ("|z|^4", r"r^4")
+    text = (
+        rf"The amplitude obeys \[\dot z=i\omega z+{a}i{modulus}z.\] Put $z=re^{{i\varphi}}$."
+        rf" Then \[\dot r=0,\qquad\dot\varphi=\omega+%s{power}.\]"
+    )
+    return text, str(a), str(a + chosen.choice([-4, 1, 2]))
+
+
+def in_new_coordinates(chosen: Random) -> tuple[str, str, str]:
+    """A Hamiltonian in scaled coordinates, or in polar ones, with the momenta of these."""
+    a, k = chosen.choice([2, 3]), chosen.choice([1, 2, 3])
+    hamiltonian = rf"Let $H=\frac12(p_x^2+p_y^2)+\frac{k}2(x^2+y^2)$."
+    if chosen.random() < 0.5:
+        text = (
+            rf"{hamiltonian} Put $x={a}u$, $y=2v$. Then \[H=\frac12\left(\frac{{p_u^2}}{{%s}}"
+            rf"+\frac{{p_v^2}}4\right)+\frac{k}2({a * a}u^2+4v^2).\]"
+        )
+        return text, str(a * a), str(a * a + chosen.choice([-a, 1]))
+    text = (
+        rf"{hamiltonian} In polar coordinates, $x=r\cos\varphi$, $y=r\sin\varphi$, it is"
+        rf" \[H=\frac12\left(p_r^2+\frac{{p_\varphi^2}}{{r^%s}}\right)+\frac{k}2r^2.\]"
+    )
+    return text, "2", chosen.choice(["1", "3", "4"])
+
+
+KINDS = [
+    by_the_energy, of_separation, near_a_place, on_a_circle, by_a_constant, by_a_quadrature,
+    of_roots, on_a_circular_orbit, of_an_amplitude, in_new_coordinates,
+]  # fmt: skip
+
+
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("kind", [by_the_energy, of_separation, near_a_place, on_a_circle])
+@pytest.mark.parametrize("kind", KINDS)
 def test_a_consequence_is_green_as_it_is_and_not_with_another_number(kind, seed):
     text, right, wrong = kind(Random(seed))
     assert all(one.green for one in verdicts(text % right).values()), text % right

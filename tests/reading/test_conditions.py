@@ -77,3 +77,19 @@ def test_dots_of_which_words_speak_are_not_the_primes_of_the_law():
     text = r"""Consider the equation \[y''+\frac2x\,y'+y^5=0,\] where the prime stands for $d/dx$. Put $s=\ln x$, and let
     the dot be the derivative with respect to $s$. The variable \[V=-\frac{xy'}y\] satisfies \[\dot V=V(1-V) .\]"""
     assert not [*verdicts(text).values()]
+
+
+TOP = r"""The Euler--Poisson equations are
+\[A\dot p=(B-C)qr+Pz_0g_2,\quad B\dot q=(C-A)pr+P(x_0g_3-z_0g_1),\quad C\dot r=(A-B)pq-Px_0g_2,\]
+\[\dot g_1=rg_2-qg_3,\quad\dot g_2=pg_3-rg_1,\quad\dot g_3=qg_1-pg_2 .\] Hess found the condition
+\begin{equation}A(B-C)x_0^2=C(A-B)z_0^2\label{h}\end{equation} under which there is a particular integral.
+\begin{theorem}If \eqref{h} holds, WHAT \[f\equiv Ax_0p+Cz_0r=0\] is invariant. \end{theorem}
+\begin{proof}We have \[\dot f=\frac{z_0(A-B)}{Ax_0}qf .\]\end{proof}"""
+
+
+def test_a_condition_of_a_theorem_holds_in_its_own_sentence():
+    one = verdicts(TOP.replace("WHAT", "the relation"))
+    two = verdicts(TOP.replace("WHAT", "there is an invariant set. In general the relation"))
+    assert len(one) == len(two) == 2
+    assert all(verdict.green for verdict in one.values())
+    assert not any(verdict.green for verdict in two.values())
