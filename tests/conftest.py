@@ -57,10 +57,10 @@ def _is_quick(config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Of each file of examples but one is marked, the same in every run."""
+    """Of each file of examples but one that is not slow is marked, the same in every run."""
     files = defaultdict(list)
     for item in items:
-        if item.path.parent.name in ROOMS_OF_EXAMPLES:
+        if item.path.parent.name in ROOMS_OF_EXAMPLES and not item.get_closest_marker("slow"):
             files[item.path].append(item)
     for tests in files.values():
         tests.remove(min(tests, key=lambda item: crc32(item.nodeid.encode())))

@@ -94,6 +94,7 @@ def test_a_derivation_that_ends_the_program_is_an_error_of_every_command(
     assert "dead.py:2: os._exit would end the program" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_nor_does_it_later_in_a_thread(tmp_path, capsys):
     file = tmp_path / "late.py"
     file.write_text(

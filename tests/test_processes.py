@@ -27,7 +27,9 @@ SHORT, LONG = 0.1, 60
 pytestmark = pytest.mark.filterwarnings("ignore:This process")
 
 
-@pytest.fixture(autouse=True, params=["alone", "among threads"])
+@pytest.fixture(
+    autouse=True, params=[pytest.param("alone", marks=pytest.mark.slow), "among threads"]
+)
 def asking(request):
     """A process without threads makes copies of itself; for one that has them, a fork server does."""
     done = threading.Event()
@@ -450,6 +452,7 @@ def spin(seconds):
         pass
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="the system does not tell")
 def test_a_limit_does_not_count_how_long_a_process_waits_for_a_processor():
     """Else what a machine decides would depend on what else it has to do."""

@@ -54,6 +54,7 @@ def test_no_judge_takes_one_for_another():
             judged(json.loads(text))
 
 
+@pytest.mark.slow
 def test_what_is_divided_by_is_a_condition():
     for setting, text in settings(divided, range(3)):
         need_condition(setting, text)

@@ -30,6 +30,7 @@ def test_a_condition_holds_where_it_is_cited(words, green):
     assert not any(one.green for one in wrong.values())
 
 
+@pytest.mark.slow
 def test_it_reaches_from_a_theorem_to_its_proof():
     theorem = rf"\begin{{theorem}}If \eqref{{h}} holds, the relation {SET}\end{{theorem}}"
     proof = rf"\begin{{proof}}We have {RATE}\end{{proof}}"

@@ -31,6 +31,7 @@ def judged(text):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("law", "true", "false"),
     [

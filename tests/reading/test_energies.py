@@ -116,6 +116,7 @@ def test_where_the_equations_are_not_those_of_the_hamiltonian_only_they_are_judg
 ORBIT = r"The Lagrangian is \[ L=\frac12m(\dot r^2+r^2\dot\varphi^2)-U(r) . \] "
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("row", "is_green"),
     [

@@ -39,6 +39,7 @@ def test_nor_does_it_stand_in_the_hamiltonian():
     assert in_words(HAMILTONIAN.replace("bq_1q_2^3", "q_1p_2") + "Then $q_2$ is cyclic.") == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("momentum", "found"),
     [

@@ -67,6 +67,7 @@ RESTRICTED = r"""Let \[ \ddot x-2\dot y=\frac{\partial W}{\partial x},\qquad
 \ddot y+2\dot x=\frac{\partial W}{\partial y},\] where $W=\frac12x^2+\frac{k}{s}$, $s^2=x^2+y^2$. """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "words", ["The Jacobi integral has the form", "The Jacobian integral reads"]
 )

@@ -94,6 +94,7 @@ def test_a_reaction_alone_on_a_side_is_no_value(law, claim, true):
     assert found[-1].green == true
 
 
+@pytest.mark.slow
 def test_what_is_at_rest_by_words_is_another_case():
     found = [*verdicts(rf"{ON_TABLE}For a table at rest we have $\ddot x=\ddot y=0$.").values()]
     assert found == [Verdict.UNDECIDED]

@@ -13,6 +13,7 @@ TITLES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("given", "then"), TITLES)
 @pytest.mark.parametrize(
     ("claim", "green"),

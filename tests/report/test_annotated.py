@@ -115,6 +115,7 @@ def test_bold_words_at_the_head_of_a_paragraph_are_sections() -> None:
     assert "".join(parts["part.1"].split()) == "7.Asecondpart" and "part.2" not in parts
 
 
+@pytest.mark.slow
 def test_no_link_is_dead_when_the_page_is_sent_alone() -> None:
     assert all(link.startswith("#") for link in Page(render_html(page())).links)
 

@@ -48,6 +48,7 @@ def test_a_correction_is_noticed_if_the_wrong_formula_is_red(folder, wrong, end,
     assert found.end == end and (found.repaired == repaired or end == NOTICED)
 
 
+@pytest.mark.slow
 def test_the_command_counts_and_what_is_not_noticed_is_no_success(folder, capsys):
     path, _ = folder(r"\frac{1}{2}y^2-\frac{1}{2}x^2")
     assert run("python -m study.corrections", "study.corrections", [str(path)]) == 0

@@ -20,6 +20,7 @@ def test_every_identity_is_true_and_every_misprint_is_false(statements, many):
     assert Counter(s.kind for s in statements)[TRUE] > 25
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("many", [2, pytest.param(8, marks=pytest.mark.slow)])
 def test_there_are_near_misses_of_each_kind_and_hardly_one_is_true(statements, many):
     kinds = {s.kind for s in statements} - {TRUE, MISPRINT, "mutant"}
@@ -32,12 +33,14 @@ def test_there_are_near_misses_of_each_kind_and_hardly_one_is_true(statements, m
         assert not all(labels)
 
 
+@pytest.mark.slow
 def test_a_spread_takes_as_many_true_as_false_and_every_kind(statements):
     few = spread(statements, 20)
     assert len(few) == 20 and sum(s.kind == TRUE for s in few) == 10
     assert {s.kind for s in few} == {s.kind for s in statements}
 
 
+@pytest.mark.slow
 def test_a_disagreement_of_exact_arithmetics_is_an_error(statements):
     statement = statements[0]
     statement.__dict__["verdicts"] = {"flint": True, "sympy": False}

@@ -21,6 +21,7 @@ from tests.cli.test_flags import ODD
 from tests.sample import sampled
 
 
+@pytest.mark.slow
 def test_a_sample_is_repeated_by_its_seed():
     one, other = (sample(audited(), 20, Random(7)) for _ in range(2))
     assert [m.words for m in one] == [m.words for m in other]

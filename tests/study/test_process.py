@@ -26,6 +26,7 @@ def test_fewer_steps_are_no_success():
     assert script("print('step', 1)")["verdict"] == "stopped"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("idle", sampled(["exec sleep 60", "while :; do :; done"], 1))
 def test_time_is_a_limit(idle):
     found = race(["sh", "-c", f"echo step 1; {idle}"], Path.cwd(), 0.3, 2048, 2)

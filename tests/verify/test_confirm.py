@@ -71,6 +71,7 @@ def test_a_rank_by_several_processes_is_the_same_and_takes_as_many_steps(monkeyp
         rank(vectors, together)
 
 
+@pytest.mark.slow
 def test_the_time_of_the_checker_is_that_of_the_claim(monkeypatch):
     """Also if nothing that it computes can be interrupted; and the claim had half a second more."""
     for slow in (lambda text, budget: sleep(1), lambda text, budget: wait(budget)):

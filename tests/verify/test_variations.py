@@ -50,6 +50,7 @@ def test_what_is_excluded_fails(law, stated):
     ] == []
 
 
+@pytest.mark.slow
 def test_most_that_fails_is_excluded():
     failing = [excluded for _, excluded, passed in trials(*SYSTEMS[0]) if passed is False]
     assert 2 * sum(failing) > len(failing)
