@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.notation import Application, Derivative, Formula, Name, Partial
+from kowalevski_cas.paper.jets import APPLIED, arguments
 from kowalevski_cas.paper.names import head
 from kowalevski_cas.reading.known import Known
 from kowalevski_cas.reading.statements import SourceStatement
@@ -44,6 +45,15 @@ def _function(formula: Formula) -> str:
 def _parameters(function: str, by: SourceStatement, known: Known) -> set[str]:
     """The names in what gives a function that stand for what moves and are no arguments."""
     at = {name for one in by.printed.heads.names for name in head(one)[1]}
+    at |= {*_arguments(function, by, known)}
     names = {name for member in by.members[1:] for name in member.names()} - at
     given = {n for n in names if known.is_defined(n) and known.varies(n) and not known.moves(n)}
     return given if at else given & known.levels
+
+
+def _arguments(function: str, by: SourceStatement, known: Known) -> Iterator[str]:
+    """The arguments at which a statement gives a function, which it is read without."""
+    text = known.paper.source.text[by.typed.start : by.typed.end]
+    for found in APPLIED.finditer(text):
+        if found["name"] == function:
+            yield from arguments(found["by"])

@@ -60,6 +60,8 @@ STATEMENTS = [
      r"the radial equation is $m\ddot r=-\frac{dU}{dr}$.", "2", "3"),
     (PLANE + r"Let $\ell=mr^2\dot\varphi$ and $U(r)=\frac{\ell^2}{2mr^2}+V(r)$. Then $m\ddot r={}U'(r)$.",
      "-", ""),
+    (PLANE + r"The momentum is $\ell=mr^2\dot\varphi=\mathrm{const}$. With $U(r)=\frac{\ell^2}{{}mr^2}+V(r)$ "
+     r"the radial equation is $m\ddot r=-\frac{dU}{dr}$.", "2", "3"),
     (PLANE + r"The momentum $\ell=mr^2\dot\varphi$ is constant. The energy is $E=\frac12m\dot r^2+U(r)$ "
      r"with $U(r)={}\frac{\ell^2}{2mr^2}+V(r)$, and $E$ is constant.", "", "2"),
     (POISSON + r"$\{M_1,p_2\}={}$.", "p_3", "-p_3"),

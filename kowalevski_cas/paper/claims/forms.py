@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.notation import (
@@ -93,8 +93,21 @@ def equations(
     on: Elaborations, space: Elaboration, places: Sequence[Printed]
 ) -> tuple[Equation, ...]:
     """The sides of printed equations, component by component; of a chain, those of each sign."""
+    return _equations(map(on.texts.relation, places), space)
+
+
+def supposed(
+    on: Elaborations, space: Elaboration, places: Sequence[Printed]
+) -> tuple[Equation, ...]:
+    """The equations that hold where printed ones do; at a point ``= const`` says nothing."""
+    relations = map(on.texts.relation, places)
+    chains = ((members(one), one.signs) for one in relations)
+    return _equations([Relation((*kept,), signs[: len(kept) - 1]) for kept, signs in chains], space)
+
+
+def _equations(relations: Iterable[Relation], space: Elaboration) -> tuple[Equation, ...]:
     found: list[Equation] = []
-    for relation in map(on.texts.relation, places):
+    for relation in relations:
         if are_matrices(relation, space):
             found += entries(as_matrices(relation.members, space, are_equal=True))
             continue

@@ -11,6 +11,7 @@ from kowalevski_cas.paper.claims.forms import (
     equation,
     equations,
     expression,
+    supposed,
     vanishes,
 )
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -44,7 +45,7 @@ class Implication(Claim):
         else:
             conclusion = (equation(on, space, self.own),)
         stated = (*equations(on, space, self.together), *conclusion)
-        given = equations(on, space, self.given)
+        given = supposed(on, space, self.given)
         conclusions = [stated]
         if self.root is not None:
             root = space.formula(self.root)

@@ -15,7 +15,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
-from kowalevski_cas.paper.claims.forms import ZERO, equations, members, vanishes
+from kowalevski_cas.paper.claims.forms import ZERO, members, supposed, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.scene import Scene
@@ -52,7 +52,7 @@ def _compared(
     # absolute value
     ordered = comparison.sign in ("<", r"\le") and comparison.number is None
     space = on(with_signs(on, own, Root(square)) if ordered else own)
-    given = equations(on, space, printed)
+    given = supposed(on, space, printed)
     if comparison.number is not None:
         yield Follows(space, ((vanishes(Number(int(not comparison.number))),),), given)
         return
