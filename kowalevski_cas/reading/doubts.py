@@ -45,7 +45,7 @@ from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
-from kowalevski_cas.reading.suppositions import FOUND
+from kowalevski_cas.reading.suppositions import FOUND, OTHERWISE
 from kowalevski_cas.reading.unprinted import SOURCE, is_printed
 from kowalevski_cas.reading.variations import is_power_of_difference
 from kowalevski_cas.reading.varied_laws import is_varied
@@ -210,6 +210,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or _is_below_other_rates(item, known)
         or _is_below_other_energy(item, known)
         or _is_before_its_law(item, known)
+        or _is_below_another_value(item, known)
         or _is_in_limit(item, known)
         or bool(differentials_of_images(printed))
         or is_of_maps(printed)
@@ -250,6 +251,12 @@ def is_of_a_place(item: SourceStatement, known: Known) -> bool:
     So they do in “at the lowest point the tension is …”.
     """
     return _gives_again(item, known) and AT_TIMES.search(item.before) is not None
+
+
+def _is_below_another_value(item: SourceStatement, known: Known) -> bool:
+    """Whether a constant has got another value in its section: its equations may say more then."""
+    before = ((one, role) for one, role in known.roles.items() if one.order < item.order)
+    return any(one.section is item.section and r.reason == OTHERWISE for one, r in before)
 
 
 def _gives_again(item: SourceStatement, known: Known) -> bool:

@@ -98,6 +98,7 @@ from kowalevski_cas.reading.suppositions import (
     of_some_motions,
     on_place,
     one_of_several,
+    otherwise_given,
     value,
 )
 from kowalevski_cas.reading.tried import tried
@@ -463,7 +464,8 @@ RULES: tuple[Rule, ...] = (
     inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,
     special_function, change, roots, by_steps, claimed_set, point, tried, of_roots_spoken_of,
     solution, constant_of_solution, energy, momentum, named_root, normalisation, of_place,
-    on_place, of_levels, in_brackets, one_of_several, constant, definition, square,
+    on_place, of_levels, in_brackets, one_of_several, otherwise_given, constant, definition,
+    square,
     called_condition, assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
     level, integral, equation_for_roots, identity, other,
 )  # fmt: skip

@@ -20,7 +20,15 @@ from kowalevski_cas.reading.clauses import is_in_brackets
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.reading.fresh import is_place_of
 from kowalevski_cas.reading.hypotheses import set_right_before
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, NAMED_LEVEL, OTHER, Known, StatementRole
+from kowalevski_cas.reading.known import (
+    ASSUMPTION,
+    CLAIM,
+    DEFINITION,
+    NAMED_LEVEL,
+    OTHER,
+    Known,
+    StatementRole,
+)
 from kowalevski_cas.reading.phrases import (
     IMPLIES,
     PUT,
@@ -34,6 +42,8 @@ from kowalevski_cas.reading.phrases import (
 )
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
+OTHERWISE = "another value of what is given before"
+"""Why a value is claimed that is supposed nowhere."""
 FOUND = "an inequality that words say to be found"
 """Why an inequality is claimed that may hold with less than it says, as where nothing moves."""
 
@@ -349,6 +359,21 @@ def in_brackets(item: SourceStatement, known: Known) -> StatementRole | None:
             if not known.varying(item.names) and not known.is_defined(name):
                 why = "stands in brackets behind what it is supposed for"
                 return StatementRole(ASSUMPTION, why, "of the sentence", (name,))
+    return None
+
+
+def otherwise_given(item: SourceStatement, known: Known) -> StatementRole | None:
+    r"""The value that words deduce for a name of constants that was given: so it is claimed.
+
+    Supposed, as :math:`D=0` behind :math:`D=1-a`, it would say silently what the constants are.
+    """
+    match item.members:
+        case (Name(name), value) if is_value(value) and not known.varying(item.names):
+            defined = (known.roles.get(one) for one in known.definitions.get(name, ()))
+            given = any(role is not None and role.name == DEFINITION for role in defined)
+            before = f"{item.before} "
+            if given and not supposing(item) and (cue("deduced", before) or cue("then", before)):
+                return StatementRole(CLAIM, OTHERWISE, "identity")
     return None
 
 

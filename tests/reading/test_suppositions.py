@@ -472,3 +472,17 @@ def test_what_a_sentence_on_stability_compares_is_so_in_it_only(words, green):
     law = r"The body obeys \[ \dot x=y,\qquad \dot y=-x+ax^3 . \] "
     found = verdicts(rf"{law} {words} Moreover \[ x^4<1 . \]")
     assert [one.green for one in found.values()] == [green]
+
+
+@pytest.mark.parametrize("value", ["0", r"\frac12", "2"])
+@pytest.mark.parametrize("words", ["Then {}, and", "Hence we have {}, and"])
+def test_another_value_of_what_is_given_is_not_supposed_silently(words, value):
+    """It would say what the constants are of which it was given."""
+    text = r"Consider \[\dot x=y,\qquad\dot y=-x.\] \section{A} Here $D=1-a$. \section{B} "
+    said = words.format(f"$D={value}$")
+    found = verdicts(rf"{text}{said} \[x^2+ay^2=\mathrm{{const}}.\]")
+    assert [*found.values()] == [Verdict.UNDECIDED] * 2
+    found = verdicts(rf"{text}Let $a=1-{value}$. {said} \[x^2+ay^2=\mathrm{{const}}.\]")
+    assert found[f"D={value}"].green
+    found = verdicts(rf"{text}If $D={value}$, then \[x^2+(1-{value})y^2=\mathrm{{const}}.\]")
+    assert [one.green for one in found.values()] == [value == "0"]
