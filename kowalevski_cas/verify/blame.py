@@ -375,6 +375,9 @@ class Blame:
             mended = {id: (proof,) for id, proof in proved.items() if proof is not None}
             if len(mended) < least or (found and mended.keys() != found.keys()):
                 continue
+            repair = repair._replace(mends=tuple(c for c in repair.mends if c.id in mended))
+            if self._breaks_too_much(repair):  # points left open whether it mends more
+                continue
             told = {proof.formulas for ones in found.values() for proof in ones}
             if any(proof.formulas in told for (proof,) in mended.values()) or self._spoils(repair):
                 continue

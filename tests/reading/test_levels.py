@@ -3,6 +3,8 @@
 import pytest
 
 from kowalevski_cas.audit.reading import ReadingSession, audit_reading
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import reading, verdicts
 
 PLANE = r"""A particle moves by the equations \[\ddot u=-ku,\qquad \ddot v=-kv .\]
@@ -171,3 +173,12 @@ def test_a_second_integration_rests_on_the_constant_of_the_first(case):
 def test_a_letter_of_which_more_is_known_is_no_new_constant(words):
     text = DUFFING + rf"{words} \[\dot x^2=3h-kx^2-\tfrac12\beta x^4 .\]"
     assert not [*verdicts(text).values()][-1:] or not [*verdicts(text).values()][-1].green
+
+
+@pytest.mark.parametrize("wrong", [r"\dot x^2+x", r"\dot x^2-x^2", r"\dot x^2+x^3"])
+@pytest.mark.parametrize("print", ["{}=2h", "{}=h", "h={}", "F={}=h"])
+def test_a_slip_beside_the_name_of_the_value_is_mended_on_either_side(wrong, print):
+    found = reading(rf"Consider \[\ddot x=-x.\] It has the integral \[{print.format(wrong)}.\]")
+    (outcome,) = ReadingSession(found, timeout=20).outcomes.values()
+    assert outcome.verdict is Verdict.REFUTED
+    assert r"\dot{x}^2 + x^2" in to_latex(outcome.correction.formulas[0])

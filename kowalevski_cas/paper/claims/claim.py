@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
@@ -159,11 +159,12 @@ class Claim(_Kind, ABC):
         Of edits, only those are needed that may lead to a formula that is ``wanted``.
         """
         names = frozenset(self.scene.names()) - {*self.scene.undefined}
-        defining = {*self.scene.definitions.values()}
         for printed in self.establishes():
             statement = texts.statement(printed)
+            given = {name for name, by in self.scene.definitions.items() if by == printed}
             for edit in edits(statement, texts.vocabulary, names, wanted):
-                if printed not in defining or _head(edit.formula) == _head(statement.formula):
+                before, after = (_defined(one.formula, given) for one in (statement, edit))
+                if not given or before == after:
                     yield self.edited(texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)
@@ -185,6 +186,8 @@ class Claim(_Kind, ABC):
         return Neighbour(edit.words, claim, texts, printed, edit)
 
 
-def _head(formula: Formula) -> Formula:
-    """What a definition defines: it stays, and is no slip of what is defined."""
-    return formula.members[0] if isinstance(formula, Relation) else formula
+def _defined(formula: Formula, given: Collection[str]) -> Formula:
+    """What a definition of names defines: it stays, and is no slip of what is defined."""
+    members = formula.members if isinstance(formula, Relation) else (formula,)
+    alone = (member for member in members if (names := {*member.names()}) and names <= {*given})
+    return next(alone, members[0])
