@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Name
 from kowalevski_cas.reading.changes import conjugates_given, find_changes
@@ -25,7 +26,20 @@ from kowalevski_cas.reading.unprinted import hamiltonians_anew, implied_rows
 
 
 def find_laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()) -> list[Law]:
-    """The laws of motion of a paper, in its order, with those of Hamiltonians of examples."""
+    """The laws of motion of a paper, in its order, with those of Hamiltonians of examples.
+
+    Comments that say of each formula what is inferred without them change nothing.
+    """
+    found = _laws(paper, names, replace(said, of={}), maps)
+    rows = frozenset[SourceStatement]().union(*(law.printed for law in (*found, *maps)))
+    told = {item for item in said.of if said.verb(item) == "law"}
+    others = {item for item in said.of if said.verb(item)} - told
+    agrees = told <= rows | paper.unfinished and rows.isdisjoint(others)
+    return found if agrees else _laws(paper, names, said, maps)
+
+
+def _laws(paper: SourcePaper, names: Names, said: Said, maps: Sequence[Law] = ()) -> list[Law]:
+    """The laws of motion of a paper, as far as comments let them be some."""
     found = _closed_sets(paper, names, said, maps)
     for (begins, end), rows in hamiltonians_anew(paper) if found and not maps else ():
         within = [law for law in found if begins <= law.first.typed.start < end]

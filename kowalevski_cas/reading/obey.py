@@ -63,12 +63,8 @@ def said_role(
     name, kind = _ROLES[found.verb], found.ruled
     if found.verb == "map" and inferred.name == LAW:
         return inferred
-    if found.verb == "law" and known.law_of(item) is None:
-        raise wrong(found.comment, "the formula belongs to no closed set of rates")
-    heads = (*item.printed.heads.names, *item.printed.heads.squares)
-    if found.verb in ("define", "level", "map"):
-        if not (found.names or found.ruled or heads):
-            raise wrong(found.comment, "no name stands alone on a side of the formula")
+    if trouble := _trouble(found, item, inferred, known):
+        raise wrong(found.comment, trouble)
     names = names_of(found, item) or _names(name, item, inferred)
     if name == DEFINITION and not kind and not {*names} & {*item.printed.heads.names}:
         kind = "square"
@@ -82,6 +78,17 @@ def said_role(
     if (inferred.name, inferred.kind) != (name, kind) and kind != SAID:
         reason += f"; without it: {inferred.name}, {inferred.reason}"
     return StatementRole(name, reason, kind, names)
+
+
+def _trouble(found: Directive, item: SourceStatement, inferred: StatementRole, known: Known) -> str:
+    """Why a statement cannot have the role that a comment gives it; empty if it can."""
+    if found.verb == "law" and known.law_of(item) is None and inferred.name != LAW:
+        return "the formula belongs to no closed set of rates"
+    heads = (*item.printed.heads.names, *item.printed.heads.squares)
+    named = found.names or found.ruled or heads
+    if found.verb in ("define", "level", "map") and not named:
+        return "no name stands alone on a side of the formula"
+    return ""
 
 
 def _names(name: str, item: SourceStatement, inferred: StatementRole) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.reading import choice, read
 from kowalevski_cas.reading.draft import draft
 from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.tokens import words
 from kowalevski_cas.verify.interpretation import Interpretation
 from tests.reading.score import score
 from tests.sample import sampled
@@ -57,12 +58,12 @@ def claimed(reading):
     interpretation = Interpretation(reading.derivation)
     return [
         (
-            one.item.typed.tex,
+            words(one.item.typed.tex),
             one.role.name,
             one.claim and problem(interpretation, one.claim),
             one.doubt,
             one.constants,
-            [item.typed.tex for item in one.on],
+            [words(item.typed.tex) for item in one.on],
         )
         for one in reading.formulas
     ]
