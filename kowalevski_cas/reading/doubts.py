@@ -45,7 +45,7 @@ from kowalevski_cas.reading.rows import is_row
 from kowalevski_cas.reading.rung import Rung
 from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART, may_be_of_squares
 from kowalevski_cas.reading.statements import SourceStatement, is_numerical
-from kowalevski_cas.reading.suppositions import FOUND, OTHERWISE
+from kowalevski_cas.reading.suppositions import OTHERWISE
 from kowalevski_cas.reading.unprinted import SOURCE, is_printed
 from kowalevski_cas.reading.variations import is_power_of_difference
 from kowalevski_cas.reading.varied_laws import is_varied
@@ -122,7 +122,7 @@ def doubt_of(
         return Doubt.ALWAYS
     if (
         role.kind in ("solution", "energy", MATRIX, POINT, MARKED)
-        or role.reason == FOUND
+        or role.found
         or rung.claim.scene.jets  # words may say which functions are meant
         or _is_unequal(item)
         or _has_momentum(rung, known)

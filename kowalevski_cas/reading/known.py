@@ -38,7 +38,8 @@ class StatementRole(NamedTuple):
     """What a statement is for its paper, with the reason in words.
 
     ``kind`` says what is claimed, or why that is not judged; ``names`` are those that it defines,
-    or that it gives values to; ``value`` is that of an integral, among other terms.
+    or that it gives values to; ``value`` is that of an integral, among other terms. What is only
+    ``found`` may hold with less than it says, as an inequality where nothing moves.
     """
 
     name: str
@@ -46,6 +47,7 @@ class StatementRole(NamedTuple):
     kind: str = ""
     names: tuple[str, ...] = ()
     value: str = ""
+    found: bool = False
 
 
 LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION = (

@@ -75,7 +75,9 @@ def said_role(
     elif not kind and inferred.name == name:
         kind = inferred.kind
     reason = f"line {found.comment.line} of {found.comment.path.rpartition('/')[2]} says so"
-    if (inferred.name, inferred.kind) != (name, kind) and kind != SAID:
+    if (inferred.name, inferred.kind) == (name, kind):
+        return inferred._replace(reason=reason, names=names)
+    if kind != SAID:
         reason += f"; without it: {inferred.name}, {inferred.reason}"
     return StatementRole(name, reason, kind, names)
 

@@ -44,8 +44,6 @@ from kowalevski_cas.reading.statements import SourceStatement, derived_names
 
 OTHERWISE = "another value of what is given before"
 """Why a value is claimed that is supposed nowhere."""
-FOUND = "an inequality that words say to be found"
-"""Why an inequality is claimed that may hold with less than it says, as where nothing moves."""
 
 
 _ALWAYS = re.compile(
@@ -85,7 +83,8 @@ def inequality(item: SourceStatement, known: Known) -> StatementRole | None:
         given = any(known.is_defined(name) for name in item.names)
         claimed = claimed or (given and bool(_ALWAYS.search(item.lead) or _SINCE.match(item.tail)))
         if not claimed and _is_concluded(item):
-            return StatementRole(CLAIM, FOUND, "inequality")
+            why = "an inequality that words say to be found"
+            return StatementRole(CLAIM, why, "inequality", found=True)
         begun = bool(cue("suppose", item.before[:12])) and not cue("claim", item.lead)
         begun = begun or conditioned
         supposed = begun or not claimed or _says_first(item, known)

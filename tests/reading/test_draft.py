@@ -9,6 +9,13 @@ from tests.reading.test_papers import claimed
 
 OSCILLATOR = r"Consider the oscillator \begin{equation}\label{o}\ddot q+kq=0.\end{equation} "
 SOLUTIONS = OSCILLATOR + r"Let $u$ and $v$ be two solutions of \eqref{o}. "
+PLANE = r"A point moves by \begin{equation}\label{e}\ddot x=-kx,\qquad\ddot y=-ky.\end{equation} "
+EULER = r"The equations of motion are \begin{equation}\label{e}A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq.\end{equation} "
+TOP = (
+    r"The equations of motion are \begin{equation}\label{e}"
+    r"\dot{\mathbf L}=\mathbf L\times\mathbf w+P\,\mathbf g\times\mathbf e,\qquad"
+    r"\dot{\mathbf g}=\mathbf g\times\mathbf w,\end{equation} where $\mathbf L=\mathbf J\mathbf w$. "
+)
 CHAIN = (
     r"\section{The ring} Let $q_i$ be coordinates, $i=1,2,3$; the index is taken modulo three. The equations are"
     r"\begin{equation}\label{c}\dot q_i=p_i,\qquad\dot p_i=e^{q_{i-1}-q_i}-e^{q_i-q_{i+1}}.\end{equation}"
@@ -59,4 +66,42 @@ def test_rates_that_are_claimed_change_no_law(text):
     ],
 )
 def test_equations_of_which_not_all_are_printed_are_a_law_as_before(text):
+    assert_same_claims(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(
+            EULER + rf"They have the integral \[Ap^2+Bq^2=2h-Cr^2.\] {rest}"
+            for rest in ("", r"If $p=0$, then $Bq^2+Cr^2=2h$.", r"Then $2h-Ap^2-Bq^2-Cr^2=0$.")
+        ),
+        *(
+            PLANE + rf"They have the integral \[{energy}\] If $y=0$, then $\dot x^2=2h-kx^2$."
+            for energy in (
+                r"\tfrac12(\dot x^2+\dot y^2)=h-\tfrac12k(x^2+y^2).",
+                r"\dot x^2+\dot y^2-2h=-k(x^2+y^2).",
+                r"\dot x^2+\dot y^2=3h-k(x^2+y^2).",
+            )
+        ),
+        TOP
+        + r"They have the integral \[\tfrac12\,\mathbf w\cdot\mathbf J\mathbf w=h+P\,\mathbf e\cdot\mathbf g.\]",
+    ],
+)
+def test_the_value_of_an_integral_stays_its_value_among_other_terms(text):
+    assert_same_claims(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Let $k>0$. " + PLANE + r"Put $c=1+k$. " + words
+        for words in (
+            r"We see that $c>1$.",
+            r"Therefore $c>1$, as we shall need.",
+            r"It is clear that $c\ge 2$.",
+        )
+    ],
+)
+def test_what_words_say_to_be_found_is_doubted_as_before(text):
     assert_same_claims(text)
