@@ -307,7 +307,7 @@ def _stands_apart(
         or _is_conditioned(item, rung, known)
         or any(_implied(rung, known))
         or _is_constrained(rung, known)
-        or _has_case(item, rung, beside, known)
+        or (known.said.on(item) is None and _has_case(item, rung, beside, known))
         or _has_statement_below(item, rung, known)
     )
 

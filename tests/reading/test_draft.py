@@ -105,3 +105,20 @@ def test_the_value_of_an_integral_stays_its_value_among_other_terms(text):
 )
 def test_what_words_say_to_be_found_is_doubted_as_before(text):
     assert_same_claims(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        EULER
+        + r"\section{A case}\newtheorem{t}{T}\begin{t}If $A=B$, then $r$ is an integral.\end{t}"
+        + rf"Let now $A=B$. {words}"
+        for words in (
+            r"From \eqref{e} we find $\dot p=(A-C)qr/A$.",
+            r"Then \eqref{e} gives $\dot q=(C-A)rp/A$.",
+            r"Hence $p^2+q^2$ is an integral.",
+        )
+    ],
+)
+def test_what_a_claim_is_drafted_on_leaves_no_other_case_open(text):
+    assert_same_claims(text)
