@@ -88,7 +88,7 @@ def text_of(formula: JudgedStatement, paper: SourcePaper) -> str:
         return " ".join(words)
     if role.name == DEFINITION and role.kind == "change":
         return f"map {names}"
-    if role.name not in _VERBS or role.kind not in ("", *_KINDS):
+    if role.name not in _VERBS or role.kind not in ("", *_KINDS) or formula.item.formula is None:
         return ""
     if role.name == LAW:
         return "law"

@@ -21,6 +21,7 @@ CHAIN = (
     r"\begin{equation}\label{c}\dot q_i=p_i,\qquad\dot p_i=e^{q_{i-1}-q_i}-e^{q_i-q_{i+1}}.\end{equation}"
     r"We put \[a_i=\tfrac12e^{(q_i-q_{i+1})/2},\qquad b_i=-\tfrac12p_i.\] "
 )
+MAP = r"Consider the map \[\varphi:(x,y)\mapsto(x',y'),\qquad x'=y,\qquad y'=\frac{a+y}{x}.\] "
 
 
 def assert_same_claims(text):
@@ -66,6 +67,17 @@ def test_rates_that_are_claimed_change_no_law(text):
     ],
 )
 def test_equations_of_which_not_all_are_printed_are_a_law_as_before(text):
+    assert_same_claims(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        MAP + r"With the reflection $\sigma(x,y)=(y,x)$ it is reversible.",
+        MAP + r"Put $\iota(x,y)=\bigl(x,(a+x)/y\bigr)$. Then $x+y+1/x$ is not preserved.",
+    ],
+)
+def test_of_what_is_no_formula_no_comment_is_drafted(text):
     assert_same_claims(text)
 
 
