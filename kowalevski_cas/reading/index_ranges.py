@@ -197,7 +197,8 @@ def _conditions_beside(formulas: Sequence[TypedFormula], place: int, text: str) 
     for other in (*formulas[max(0, place - 1) : place], *formulas[place + 1 : place + 2]):
         first, second = sorted((formula, other), key=lambda one: one.start)
         between = text[first.end : second.start]
-        apart = len(between) > _BESIDE or _ENDS.search(first.tex.rstrip()[-1:] + between)
+        words = " ".join(between.split())
+        apart = len(words) > _BESIDE or _ENDS.search(first.tex.rstrip()[-1:] + between)
         said = _CONDITION.fullmatch(other.tex) if other.inline and not apart else None
         if said and {said["one"], said["other"]} <= letters:
             yield rf"\quad ({said['one']}{said['sign']} {said['other']})"

@@ -107,6 +107,18 @@ def test_the_value_of_an_integral_stays_its_value_among_other_terms(text):
 @pytest.mark.parametrize(
     "text",
     [
+        rf"Let $a_1,a_2,a_3$ be real and $a_i\neq a_j$ for {words}$i\ne j$. The equations are"
+        r"\[\ddot q_i=a_iq_i-q_i^3,\qquad i=1,2,3.\] Then $\frac12\dot q_1^2-\frac12a_1q_1^2+\frac14q_1^4$ is an integral."
+        for words in ("", "all ", "any two ")
+    ],
+)
+def test_what_is_said_of_indices_stays_beside_its_formula(text):
+    assert_same_claims(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
         r"Let $k>0$. " + PLANE + r"Put $c=1+k$. " + words
         for words in (
             r"We see that $c>1$.",
