@@ -54,6 +54,8 @@ class Rational:
         self.below = below // common
 
     def __add__(self, other: Rational | nmod) -> Rational:
+        if isinstance(other, Series):
+            return NotImplemented
         if isinstance(other, Rational):
             above = self.above * other.below + other.above * self.below
             return Rational(above, self.below * other.below)
@@ -62,6 +64,8 @@ class Rational:
     __radd__ = __add__
 
     def __mul__(self, other: Rational | nmod | int) -> Rational:
+        if isinstance(other, Series):
+            return NotImplemented
         if isinstance(other, Rational):
             return Rational(self.above * other.above, self.below * other.below)
         return Rational(self.above * other, self.below)
@@ -86,8 +90,6 @@ def satisfy(
     ``signs`` chooses among the two roots of each radicand. Raises :class:`NoPoint` if
     no order of solving is known, :class:`NoRoot` if an unknown has no value here.
     """
-    if any(isinstance(one, Series) for one in values.values()):
-        raise NoPoint("along a curve no equations are solved")
     found = dict(values)
     variable = nmod_poly([0, 1], prime), nmod_poly([1], prime)
     for system, unknowns in plan(tuple(equations)):

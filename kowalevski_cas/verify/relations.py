@@ -16,7 +16,6 @@ from flint import fmpq_mpoly
 from kowalevski_cas.algebra.flint import with_values
 from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.algebra.series import Series
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, NotationError, Sum, to_latex
 from kowalevski_cas.notation import Relation as Equation
@@ -128,8 +127,6 @@ def _factors(
 
     Where all else has values they are factors still: few values leave hardly any others.
     """
-    if any(isinstance(one, Series) for one in polynomials):
-        return  # near a place they are known up to some order
     moving = [k for k, name in enumerate(ring.generators) if name not in constants]
     common, random = ring.zero, Random(0)
     for polynomial in sorted(polynomials, key=len):  # most have none, and the shortest tells it

@@ -7,6 +7,7 @@ import pytest
 from flint import fmpz, nmod
 
 from kowalevski_cas.algebra import load_points
+from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.modular import (
     LOWEST,
     POINTS,
@@ -160,3 +161,21 @@ def test_a_screen_has_no_points_where_no_prime_has_the_roots():
         programs.adjoin(f"r{k}", programs.number(prime))
     with pytest.raises(NoPoint):
         _ = programs.generator("x").is_zero
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        lambda x, y, k, rate: rate(k * x) - y,  # k = 1
+        lambda x, y, k, rate: rate(k + x) - k,  # k = y
+        lambda x, y, k, rate: rate(k * x + y) + x - k * k,  # k = 0 or k = y
+        lambda x, y, k, rate: rate(rate(k * k * x)) + x,  # k² = 1
+    ],
+)
+def test_equations_with_derivatives_are_solved_for_what_does_not_move(given):
+    programs, x, y, k = ring("x", "y", "k")
+    field = {"x": y, "y": -x}
+    equation = given(x, y, k, lambda program: along(program, field))
+    true, false = (Question(programs, [one], [equation]) for one in (equation * x, k + x))
+    assert answer(true).holds
+    assert not answer(false).holds
