@@ -94,3 +94,12 @@ CANONICAL, OF_MOMENTA = (
 )
 def test_what_has_no_index_k_is_not_summed_over_it(brackets, tex, verdict):
     assert Particle(*brackets).verdict(Identity, tex) == verdict
+
+
+@pytest.mark.parametrize(
+    "bracket", [r"\{M_i,M_j\} = -\{M_j,M_i\}", r"\{M_i,M_j\} = \varepsilon_{ijk}\{M_k,H\}"]
+)
+def test_a_bracket_that_brackets_give_is_none(bracket):
+    for tex in (r"\{M_1,M_2\}=-M_3", r"\{H,M_3\}=0"):
+        outcome = FreeTop(bracket).outcome(Identity, tex)
+        assert outcome.verdict == "error" and "is given by brackets" in outcome.message
