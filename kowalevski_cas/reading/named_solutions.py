@@ -37,17 +37,19 @@ def rows_of_solutions(
 
     It is an equation for one variable, in which nothing else moves.
     """
-    text, rated = paper.prose.text, {name for row in rows for name in row.rates}
+    text = paper.prose.text
     for found in _SOLUTIONS.finditer(text, paper.prose.start):
         start, end = found.span("list" if found["list"] else "list_ru")
         named = [one for one in paper.items if start <= one.typed.start < end]
         row = _equation(found, named, paper, rows)
         names = [one.formula.name for one in named if isinstance(one.formula, Name)]
         met = {name for one in paper.items if one.typed.start < start for name in one.names}
-        if row is None or len(names) < len(named) or met & {*names} or rated & {*names}:
+        if row is None or len(names) < len(named) or met & {*names}:
             continue
         assert row.formula is not None
-        (own,) = row.rates
+        ((own, order),) = row.rates.items()
+        if any(one.rates == {name: order} for one in rows for name in names):
+            continue  # their own equations are printed
         for one, name in zip(named, names, strict=True):
             formula = substitute(row.formula, {own: Name(name)})
             yield unprinted(paper, f"solution-{name}", to_latex(formula), one, SAYS)

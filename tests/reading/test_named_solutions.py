@@ -29,6 +29,23 @@ def test_they_move_by_their_equation(words):
 
 
 @pytest.mark.parametrize(
+    "step",
+    [
+        r"Moreover, $u\dot u+v\dot v=\frac12\frac{d}{dt}(u^2+v^2)$.",
+        r"Since $u\ddot v=v\ddot u$, this is plain.",
+        r"Let $s=u^2+v^2$. Then $s\dot s=2s(u\dot u+v\dot v)$.",
+    ],
+)
+def test_they_move_so_where_steps_with_their_rates_stand_behind(step):
+    found = verdicts(HILL + LET + CONSTANT + step)
+    assert found[r"W=u\dot v-v\dot u"].green
+    wrong = CONSTANT.replace("-v", "+v")
+    assert not any(
+        one.green for key, one in verdicts(HILL + LET + wrong + step).items() if "W" in key
+    )
+
+
+@pytest.mark.parametrize(
     "text",
     [
         HILL + r"Let $u$ and $v$ be solutions of another equation. " + CONSTANT,
