@@ -11,7 +11,7 @@ from kowalevski_cas.source.tex import TypedToken
 _MATHEMATICS = frozenset(
     "equation displaymath eqnarray align alignat flalign gather multline dmath math".split()
 )
-_WORDS = frozenset(rf"\{name}" for name in "text mbox hbox textrm intertext fbox parbox".split())
+_WORDS = frozenset(rf"\{name}" for name in "text mbox hbox textrm intertext parbox".split())
 _CLOSING = {r"\]": r"\[", r"\)": r"\(", "}": "{"}
 _OPENING = frozenset(_CLOSING.values())
 

@@ -12,6 +12,7 @@ from kowalevski_cas.source.conditionals import Conditionals
 from kowalevski_cas.source.definitions import Definer, environment
 from kowalevski_cas.source.displays import DISPLAYS
 from kowalevski_cas.source.expanded import Expanded, ExpandedOutput
+from kowalevski_cas.source.frames import FRAMES, framed
 from kowalevski_cas.source.groups import Groups
 from kowalevski_cas.source.meanings import (
     Alias,
@@ -154,6 +155,8 @@ class _Expander:
             self.groups.check_lost()
         elif text in BUILT_IN:
             self.put(token, BUILT_IN[text](self.mouth))
+        elif text in FRAMES:
+            self.put(token, framed(token, self.mouth, self.groups.mathematics))
         elif text[:3] == r"\if" and self.conditionals.begins(text):
             self.conditionals.start(text, self.output.size, self.groups.mathematics)
         else:
