@@ -10,6 +10,7 @@ from kowalevski_cas.reading.operators import (
     BY,
     DERIVATIVE,
     EQUALS,
+    GAP,
     LABEL,
     LETTER,
     RATIO,
@@ -24,6 +25,7 @@ _TOKEN = re.compile(
 )
 _DOT = re.compile(r"\\d{1,4}ot(?![A-Za-z])")
 _PRIME = re.compile(r"'|\\prime")
+_PRIME_ALONE = re.compile(r"[\s{}(^\\cdot]*(?:'|\\prime)[\s})]*")
 
 
 def _by_mark(english: str, russian: str) -> re.Pattern[str]:
@@ -45,6 +47,30 @@ _DOT_STANDS_FOR = re.compile(
     re.IGNORECASE,
 )
 """How words say for what a dot stands, the quotient of differentials behind them."""
+_PRIME_STANDS_FOR = re.compile(
+    r"\b(?:primes?|dash(?:es)?)\b(?:\s+(?:\w+|·)){0,3}?\s+"
+    r"(?:(?:stands?|standing|written)\s+for|denot(?:es?|ing)|means?|is|be|being|are|abbreviates?|for)"
+    rf"\s+(?:the\s+|an?\s+)?(?:{DERIVATIVE}\s+)?§"
+    r"|§\s+(?:is\s+|being\s+|will\s+be\s+)?(?:(?:denoted|written|abbreviated|indicated)\s+)?by\s+(?:an?\s+|the\s+)?"
+    r"(?:primes?|dash(?:es)?)\b"
+    r"|\bштрих\w*\b(?:\s+(?:\w+|·)){0,3}?\s+(?:означает|обозначает|обозначена?|обозначать|[-—–]+|есть)"
+    r"\s+(?:\w*производн\w+\s+|оператор\w*\s+|дифференцировани\w+\s+)?§",
+    re.IGNORECASE,
+)
+"""How words say for what a prime stands, the quotient of differentials at the mark §."""
+_IS_RATE = re.compile(
+    rf"{LABEL}(?P<name>{LETTER})\s*(?:'|\^\s*\{{?\s*\\prime\s*\}}?)\s*{EQUALS}\s*"
+    rf"(?:\\[dt]?frac\s*\{{\s*{TOTAL}{GAP}(?P=name)\s*\}}\s*\{{\s*{TOTAL}{GAP}(?P<by>\\?[A-Za-z]+)\s*\}}"
+    rf"|{TOTAL}{GAP}(?P=name)\s*/\s*{TOTAL}{GAP}(?P<below>\\[A-Za-z]+|[A-Za-z]))[\s.,;]*(?:$|=)"
+)
+"""What a prime is on a name: :math:`u'=du/d\varphi`."""
+_AS_FUNCTION = re.compile(
+    r"[\s,~]*(?:is\s+|be\s+|being\s+)?(?:(?:considered|regarded|viewed|thought\s+of|taken|treated|seen)\s+)?"
+    r"as\s+an?\s+function\s+of(?:\s+the)?(?:\s+\w+){0,2}\s*"
+    r"|[\s,~]*(?:(?:рассматрива|счита)\w+\s+)?как\s+функци\w+(?:\s+\w+){0,2}\s*",
+    re.IGNORECASE,
+)
+"""The words between a name and that of which it is a function from there on."""
 _MARK = re.compile(
     rf"{LABEL}"
     r"(?:\{\s*\})?\s*(?:\^\s*\{?\s*\\prime\s*\}?|'|\\prime"
@@ -68,6 +94,7 @@ _AS_VARIABLE = re.compile(
     re.IGNORECASE,
 )
 """How words say that something is the independent variable from there on."""
+_NAMED = re.compile(rf"{LABEL}(?P<name>{LETTER})\s*(?:{EQUALS}.*)?$", re.DOTALL)
 _RATIO_ALONE = re.compile(rf"\s*{RATIO}[\s.,;]*")
 _ALONE = re.compile(r"\s*(?P<by>\\[A-Za-z]+|[A-Za-z])[\s.,;]*")
 TIME = "t"
@@ -125,11 +152,18 @@ def _is_moved(ratio: re.Match[str], texts: Sequence[str], primed: bool) -> bool:
     return not given and (not primed or any(_has_primes(tex, name) for tex in texts))
 
 
-def with_time(formulas: Sequence[TypedFormula], letter: str) -> Iterator[TypedFormula]:
-    """The formulas, with t for the letter of the independent variable."""
+def with_time(
+    formulas: Sequence[TypedFormula], letter: str, other: str = ""
+) -> Iterator[TypedFormula]:
+    """The formulas, with t for the letter of the independent variable.
+
+    What says by what a prime derives, as by the ``other`` one, is that letter alone.
+    """
     for formula in formulas:
-        mark = _MARK.fullmatch(formula.tex)
-        tex = by_of(mark) if mark else formula.tex
+        mark = _MARK.fullmatch(formula.tex) or _RATIO_ALONE.fullmatch(formula.tex)
+        own = _IS_RATE.fullmatch(formula.tex) if other else None
+        mark = own if own and by_of(own) == other else mark
+        tex = by_of(mark) if mark and r"\partial" not in formula.tex else formula.tex
         tex = _renamed(tex, letter, TIME) if letter not in ("", TIME) else tex
         yield formula if tex == formula.tex else replace(formula, tex=tex)
 
@@ -198,6 +232,8 @@ def _said_at(formulas: Sequence[TypedFormula], text: str) -> Iterator[tuple[str,
     for place, one in enumerate(formulas):
         if (mark := _MARK.fullmatch(one.tex)) and _DOT.search(one.tex) is None:
             yield by_of(mark), one.start
+        elif by := _by_own_mark(formulas, place, text):
+            yield by, one.start
         found = (_ALONE.fullmatch(one.tex) or _IS.match(one.tex)) if one.inline else None
         if found is None:
             continue
@@ -205,6 +241,34 @@ def _said_at(formulas: Sequence[TypedFormula], text: str) -> Iterator[tuple[str,
         alone = _ALONE.fullmatch(one.tex) is not None
         if (alone and _BY_PRIME.search(around)) or _AS_VARIABLE.search(around):
             yield found["by"], one.start
+
+
+def _by_own_mark(formulas: Sequence[TypedFormula], place: int, text: str) -> str:
+    r"""By what primes derive as a quotient of differentials tells; empty if it does not.
+
+    So does :math:`u'=du/d\varphi`, or that u, which has primes, is taken as a function of φ; what
+    is given by φ alone may have other primes.
+    """
+    one, texts = formulas[place], [formula.tex for formula in formulas]
+    if (ratio := _RATIO_ALONE.fullmatch(one.tex)) and r"\partial" not in one.tex:
+        return by_of(ratio) if _PRIME_STANDS_FOR.search(_around(formulas, place, text)) else ""
+    if found := _IS_RATE.match(one.tex):
+        return by_of(found) if _runs_along(found["name"], by_of(found), texts) else ""
+    name, by = _NAMED.match(formulas[place - 1].tex) if place else None, _ALONE.fullmatch(one.tex)
+    between = text[formulas[place - 1].end : one.start].replace("$", "")
+    if not (name and by and one.inline and _AS_FUNCTION.fullmatch(between)):
+        return ""
+    primed = any(_has_primes(tex, name["name"]) for tex in texts)
+    return by["by"] if primed and _runs_along(name["name"], by["by"], texts) else ""
+
+
+def _runs_along(name: str, by: str, texts: Sequence[str]) -> bool:
+    """Whether something moves, or is given by another name than that by which it is derived."""
+    gives = re.compile(rf"{LABEL}{re.escape(name)}\s*&?\s*{EQUALS}(?P<value>.*)", re.DOTALL)
+    values = (found["value"] for tex in texts if (found := gives.match(tex)))
+    return any(_has_dot(tex, name) for tex in texts) or any(
+        by not in _TOKEN.findall(value) and "'" not in value for value in values
+    )
 
 
 def _said_of_dots(formulas: Sequence[TypedFormula], text: str) -> Iterator[str]:
@@ -220,11 +284,16 @@ def _said_of_dots(formulas: Sequence[TypedFormula], text: str) -> Iterator[str]:
 
 
 def _around(formulas: Sequence[TypedFormula], place: int, text: str) -> str:
-    """The words around a formula, which is a sign there, between its neighbours."""
+    """The words around a formula, which is a sign there, as is one in the line before it."""
     one = formulas[place]
-    before = formulas[place - 1].end if place else 0
+    before = formulas[place - 1] if place else None
     behind = formulas[place + 1].start if place + 1 < len(formulas) else len(text)
-    around = f"{text[before : one.start]} § {text[one.end : min(behind, one.end + 160)]}"
+    lead = text[before.end if before else 0 : one.start]
+    if before is not None and before.inline:
+        start = formulas[place - 2].end if place > 1 else 0
+        sign = "prime" if _PRIME_ALONE.fullmatch(before.tex) else "·"
+        lead = f"{text[start : before.start]} {sign} {lead}"
+    around = f"{lead} § {text[one.end : min(behind, one.end + 160)]}"
     return " ".join(re.sub(r"[$\\()~]", " ", around).split())
 
 

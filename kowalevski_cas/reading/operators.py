@@ -13,15 +13,15 @@ TOTAL = rf"(?:{_UPRIGHT.format(letter='d')}|d)"
 _D = rf"(?:{_UPRIGHT.format(letter='d')}|\\partial(?![A-Za-z])|d)"
 _INDEX = r"(?:_(?:\w|\\[A-Za-z]+|\{\s*(?:\w|\\[A-Za-z]+)\s*\}))?"
 LETTER = rf"(?:{_UPRIGHT.format(letter='[A-Za-z]')}|\\[A-Za-z]+|[A-Za-z]){_INDEX}"
-_GAP = r"(?:\s|\\[,;:! ]|\{\})*"
+GAP = r"(?:\s|\\[,;:! ]|\{\})*"
 _TIME = r"(?P<by>\\[A-Za-z]+|[A-Za-z])"
 RATIO = (
-    rf"(?:\\[dt]?frac\s*\{{\s*{_D}\s*\}}\s*\{{\s*{_D}{_GAP}{_TIME}\s*\}}"
-    rf"|{_D}{_GAP}/{_GAP}{_D}{_GAP}{_TIME.replace('by', 'below')})"
+    rf"(?:\\[dt]?frac\s*\{{\s*{_D}\s*\}}\s*\{{\s*{_D}{GAP}{_TIME}\s*\}}"
+    rf"|{_D}{GAP}/{GAP}{_D}{GAP}{_TIME.replace('by', 'below')})"
 )
 RATIO_BY = re.compile(
-    rf"\}}\s*\{{\s*{TOTAL}{_GAP}(?P<by>\\[A-Za-z]+|[A-Za-z])(?:\s*\^\s*\{{?\s*\d\s*\}}?)?\s*\}}"
-    rf"|/{_GAP}{TOTAL}{_GAP}(?P<below>\\[A-Za-z]+|[A-Za-z])"
+    rf"\}}\s*\{{\s*{TOTAL}{GAP}(?P<by>\\[A-Za-z]+|[A-Za-z])(?:\s*\^\s*\{{?\s*\d\s*\}}?)?\s*\}}"
+    rf"|/{GAP}{TOTAL}{GAP}(?P<below>\\[A-Za-z]+|[A-Za-z])"
 )
 """The letter by which a quotient of differentials derives."""
 _RATIO_ALONE = re.compile(rf"\s*{RATIO}[\s.,;]*")
@@ -34,7 +34,10 @@ DERIVATIVE = (
     r"(?:differential\s+)?(?:operator\s+of\s+)?(?:total\s+|time\s+|ordinary\s+)*"
     r"(?:derivative|differentiation|derivation)(?:\s+operator)?"
 )
-BY = r"\s+(?:with\s+respect\s+to|in|by)(?:\s+(?:the|variable|physical|new|independent))*\s*"
+BY = (
+    r"\s+(?:with\s+respect\s+to|in|by)(?:\s+(?:the|variable|physical|new|independent|polar|azimuthal"
+    r"|angle|angular|true|eccentric|anomaly|longitude|coordinate|parameter|argument))*\s*"
+)
 _SAID = re.compile(
     r"[\s,~]*(?:(?:denotes?|be|is|means|stands\s+for|for|being|as)\s+)?(?:the\s+)?"
     rf"{DERIVATIVE}{BY}(?:time\b|§)"
@@ -57,7 +60,7 @@ _STANDS_FOR = re.compile(
 """The words between a letter and the quotient for which it stands."""
 _OPEN, _CLOSE = r"(?:\\(?:left|[bB]igg?l?)\s*)?(?:\(|\[|\\\{)", r"(?:\\(?:right|[bB]igg?r?)\s*)?"
 _BRACKETS = re.compile(r"\(|\[|\\\{|\)|\]|\\\}")
-_GROUP = re.compile(rf"{_GAP}(?P<group>{_OPEN})")
+_GROUP = re.compile(rf"{GAP}(?P<group>{_OPEN})")
 _HAT = r"\\(?:d{1,4}ot|bar|hat|tilde|vec|math(?:bf|rm|cal|scr)|boldsymbol|bm|mathbf|overline)"
 _NAME = (
     rf"(?:{_HAT}\s*\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}|{_HAT}\s*(?:\\[A-Za-z]+|[A-Za-z])"
@@ -65,9 +68,9 @@ _NAME = (
     r"|ln|log|exp|a?r?c?(?:sin|cos|tan|cot)h?|arc[a-z]+|s[nh]|int)[A-Za-z]+|[A-Za-z])"
     r"(?:_(?:\w|\\[A-Za-z]+|\{[^{}]*\}))?'*"
 )
-_OF_NAME = re.compile(rf"{_GAP}(?P<name>{_NAME})")
+_OF_NAME = re.compile(rf"{GAP}(?P<name>{_NAME})")
 _QUOTIENT = re.compile(
-    rf"{_GAP}(?P<quotient>\\[dt]?frac\s*(?:\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}\s*){{2}})"
+    rf"{GAP}(?P<quotient>\\[dt]?frac\s*(?:\{{[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*\}}\s*){{2}})"
 )
 _POWER = re.compile(r"\s*\^\s*(?:(\d)|\{\s*(\d+)\s*\})")
 _RUNS_ON = re.compile(

@@ -352,7 +352,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     has_coordinate_time, typed = timed != typed, timed
     variable = independent_variable(typed, expanded.text)
     other = other_variable(typed, expanded.text)
-    typed = [*with_time(typed, variable)]
+    typed = [*with_time(typed, variable, other[0])]
     typed = [*with_exponentials([*with_own_names(typed)])]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     named = [*without_set_names(typed)]

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas.verify.outcome import Verdict
 from tests.reading.test_reading import verdicts
+from tests.sample import sampled
 
 LETTERS = ["x", r"\tau", r"\xi", "s", r"\varphi", "z"]
 
@@ -87,6 +88,42 @@ BELETSKY = r"""The equations of motion are \[ \dot\nu=k(1+e\cos\nu)^2,\qquad
 def test_what_moves_may_be_it_beside_the_time(words, sign, green):
     found = verdicts(KEPLER + words + rf" \[ u''{sign}u=\frac{{\mu}}{{h^2}} . \]")
     assert [one.green for one in found.values()] == [green]
+
+
+BY_THE_ANGLE = [
+    r"A prime on $u$ denotes $d/d\varphi$.",
+    r"Primes stand for $\frac{\mathrm d}{\mathrm d\varphi}$.",
+    r"We denote $\mathrm{d}/\mathrm{d}\varphi$ by a prime.",
+    r"We write $'$ for $d/d\varphi$.",
+    r"Let $u'=\frac{du}{d\varphi}$.",
+    r"Let $u'\equiv du/d\varphi$.",
+    r"Differentiation with respect to the polar angle $\varphi$ is denoted by a prime.",
+    r"Let a prime on $u$ denote the derivative with respect to $\varphi$.",
+    r"We regard $u$ as a function of $\varphi$.",
+    r"Штрих означает $d/d\varphi$.",
+]
+
+
+@pytest.mark.parametrize("words", sampled(BY_THE_ANGLE, 4))
+def test_a_prime_stands_for_a_quotient_of_differentials(words):
+    rows = (r"\dot r=-hu'", r"\dot r=hu'", r"u''+u=\frac{\mu}{h^2}", r"u''-u=\frac{\mu}{h^2}")
+    found = verdicts(KEPLER + words + " Then " + "".join(rf" \[ {row} . \]" for row in rows))
+    assert [one.green for one in found.values()] == [True, False, True, False]
+    assert not {*found.values()} & {Verdict.UNDECIDED}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"A prime denotes $d/d\tau$.",
+        r"The potential is $V=-\mu/r$, $V'=dV/dr$.",
+        r"A prime denotes $d/d\varphi$; from now on a prime denotes $d/dr$.",
+        r"We regard $V$ as a function of $r$.",
+    ],
+)
+def test_primes_by_another_variable_are_none_by_the_angle(words):
+    found = verdicts(KEPLER + words + r" Then \[ u''+u=\frac{\mu}{h^2} . \]")
+    assert not any(one.green or one is Verdict.REFUTED for one in found.values())
 
 
 @pytest.mark.parametrize(("factor", "green"), [("2", True), ("", False)])
