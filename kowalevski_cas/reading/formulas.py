@@ -65,7 +65,7 @@ def by_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
         with suppress(NotationError):  # who reads it says so
             tex = without_initial_values(tex, moving)
         tex = with_jacobian(with_partials(with_derivatives(tex, by), fields))
-        tex = with_divergence(without_quadrature(without_integral(tex), times), texts)
+        tex = with_divergence(without_quadrature(without_integral(tex), times, moving), texts)
         with suppress(ValueError):  # at other arguments it cannot be read
             tex = without_arguments(tex, known)
         yield formula if tex == formula.tex else replace(formula, tex=tex)

@@ -7,7 +7,8 @@ said by a constant, or by the lower limit.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from itertools import pairwise
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.tokens import after_group
@@ -18,23 +19,31 @@ _GAP = r"(?:\\[,;:!]|\s)*"
 _CONST = r"\\(?:mathrm|text)\s*\{\s*const\.?\s*\}"
 _CONSTANT = rf"(?:{_GAP}[-+]{_GAP}(?:{_CONST}|{NAME}))?"
 _TIMES = rf"(?P<open>\()?{_GAP}(?P<time>{NAME}){_CONSTANT}{_GAP}(?(open)\))"
+_BEGUN = rf"(?:(?P=time)_(?:\w|\{{[^{{}}]*\}}){_GAP}(?=[-+]|\\[mp]{{2}}))?"
 _FACTOR = r"(?P<factor>(?:(?!\\int|=|&|\\\\).)*?)"
 _SIGN = rf"(?P<sign>\\int{_GAP}(?:\\limits{_GAP})?)"
 _LEFT = re.compile(
-    rf"(?P<lead>\s*(?:\\label\{{[^{{}}]*\}}\s*)?){_TIMES}{_GAP}={_FACTOR}{_SIGN}", re.DOTALL
+    rf"(?P<lead>\s*(?:\\label\{{[^{{}}]*\}}\s*)?){_TIMES}{_GAP}={_GAP}{_BEGUN}{_FACTOR}{_SIGN}",
+    re.DOTALL,
 )
 _RIGHT = re.compile(
     rf"{_GAP}{_CONSTANT}{_GAP}=(?P<factor>(?:(?!\\int|=|&|\\\\)[^=,;])*?){_TIMES}{_GAP}(?=[.;,\s]*$)",
     re.DOTALL,
 )
 _BEGINS = re.compile(rf"(?P<lead>\s*(?:\\label\{{[^{{}}]*\}}\s*)?)(?P<factor>){_SIGN}", re.DOTALL)
+_SPACE_OR_BRACE = re.compile(r"\\[{}\\]|(?:\\q?quad(?![A-Za-z])\s*)+|[{}]")
 _LINE = re.compile(r"\\[dt]?frac(?![A-Za-z])")
+_VARIED = rf"{_D}(?P<by>{NAME}'?)"
+_DIFFERENTIAL = rf"(?P<above>.*?){_GAP}{_VARIED}\s*"
+_BEHIND = rf"{_GAP}{_VARIED}"
 _ROOT = re.compile(rf"{_GAP}\\sqrt\s*")
 _END = re.compile(rf"{_CONSTANT}(?P<end>[\s.,;]*)")
 
 
-def without_quadrature(tex: str, times: Collection[str]) -> str:
+def without_quadrature(tex: str, times: Collection[str], moving: Collection[str] = ()) -> str:
     r"""That a rate has the square of what is below, in place of a quadrature by one of some times.
+
+    By what is ``moving`` itself it is a quotient of rates. Several may stand in a display.
 
     >>> without_quadrature(r"t-t_0=\int\frac{dx}{\sqrt{2h-x^2}}.", "t")
     '\\left(\\frac{dx}{dt}\\right)^2=2h-x^2.'
@@ -47,10 +56,27 @@ def without_quadrature(tex: str, times: Collection[str]) -> str:
     >>> without_quadrature(r"T=\int_a^b\frac{dx}{\sqrt{2h-x^2}}", "t")
     'T=\\int_a^b\\frac{dx}{\\sqrt{2h-x^2}}'
     """
+    parts = _parts(tex)
     try:
-        return _left(tex, times) or _right(tex, times) or tex
+        found = [_left(part, times) or _right(part, times) for part in parts]
     except (NotationError, AssertionError):
         return tex
+    new = "".join(rate or part for rate, part in zip(found, parts, strict=True))
+    for time in times if new != tex else ():
+        along = rf"\\frac{{\\dot{{\1}}}}{{\\dot{{{re.escape(time)}}}}}"
+        slope = re.compile(rf"\\frac\{{d({NAME})\}}\{{d{re.escape(time)}\}}")
+        new = slope.sub(along, new) if time in moving else new
+    return new
+
+
+def _parts(tex: str) -> list[str]:
+    """The equations of a line, with the space between them."""
+    ends, depth = [0], 0
+    for found in _SPACE_OR_BRACE.finditer(tex):
+        depth += {"{": 1, "}": -1}.get(found[0], 0)
+        if depth == 0 and found[0] not in "{}":
+            ends += found.span()
+    return [tex[a:b] for a, b in pairwise([*ends, len(tex)])]
 
 
 def _left(tex: str, times: Collection[str]) -> str:
@@ -64,7 +90,7 @@ def _left(tex: str, times: Collection[str]) -> str:
     name, above, below, _ = inner
     if not _is_factor(found["factor"], name):
         return ""
-    above = found["factor"].replace(r"\pm", " ").strip() + above.strip()
+    above = found["factor"].replace(r"\pm", " ").strip().lstrip("+-") + above.strip()
     return found["lead"] + _rate(name, found["time"], above, below, "") + behind["end"]
 
 
@@ -86,7 +112,7 @@ def _right(tex: str, times: Collection[str]) -> str:
 
 def _is_factor(tex: str, name: str) -> bool:
     """Whether what stands before an integral, or the time, is one factor that does not vary."""
-    inner = tex.strip().removeprefix("-")
+    inner = tex.strip().removeprefix("-").removeprefix("+")
     return re.search(rf"[+-]|(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z_])", inner) is None
 
 
@@ -97,26 +123,41 @@ def _integrand(tex: str, at: int) -> tuple[str, str, str, int] | None:
         at = after_group(tex, at + 1)
         if tex[at : at + 1] != "^":
             return None
+    if tex[at : at + 1] == "^":
         start, at = at + 1, after_group(tex, at + 1)
         upper = tex[start:at].strip("{} ")
-    gap = re.compile(_GAP).match(tex, at)
-    line = _LINE.match(tex, gap.end() if gap else at)
-    if line is None:
+    aboves, below, at = _fractions(tex, at)
+    found = [re.fullmatch(_DIFFERENTIAL, one, re.DOTALL) for one in aboves]
+    behind = re.compile(_BEHIND).match(tex, at)
+    varied = [one for one in (*found, behind) if one]
+    if not aboves or len(varied) != 1 or (upper and not re.fullmatch(NAME, upper)):
         return None
-    middle = after_group(tex, line.end())
-    end = after_group(tex, middle)
-    above, below = (tex[slice(*one)].strip() for one in ((line.end(), middle), (middle, end)))
-    above, below = (
-        above[1:-1] if above[:1] == "{" else above,
-        below[1:-1] if below[:1] == "{" else below,
-    )
-    found = re.fullmatch(rf"(?P<above>.*?){_GAP}{_D}(?P<by>{NAME})\s*", above, re.DOTALL)
-    if found is None or (upper and not re.fullmatch(NAME, upper)):
-        return None
-    own, above = found["by"].strip(), found["above"]
+    at = behind.end() if behind else at
+    own = varied[0]["by"].strip()
+    factors = [one["above"] if one else own for one, own in zip(found, aboves, strict=True)]
+    above = _product([one for one in factors if one.strip() not in ("", "1")])
     if upper and upper != own:
         above, below = (_renamed(one, own, upper) for one in (above, below))
-    return upper or own, above, below, end
+    return upper or own, above, below, at
+
+
+def _fractions(tex: str, at: int) -> tuple[list[str], str, int]:
+    """What stands above the lines of some fractions, the product of what is below, and the end."""
+    aboves, belows = list[str](), list[str]()
+    while line := re.compile(_GAP + _LINE.pattern).match(tex, at):
+        middle = after_group(tex, line.end())
+        at = after_group(tex, middle)
+        for side, found in ((tex[line.end() : middle], aboves), (tex[middle:at], belows)):
+            inner = side.strip()
+            found.append(inner[1:-1] if inner[:1] == "{" else inner)
+    return aboves, _product(belows), at
+
+
+def _product(factors: Sequence[str]) -> str:
+    """A product; one factor needs no brackets."""
+    if len(factors) < 2:
+        return "".join(factors)
+    return "".join(rf"\left({one}\right)" for one in factors)
 
 
 def _renamed(tex: str, name: str, other: str) -> str:
