@@ -2,83 +2,87 @@ r"""Roots with names in a factored polynomial: :math:`P(u)=c(u-a)(b-u)` gives a 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 
 from kowalevski_cas.notation import (
+    Derivative,
     Formula,
     Name,
     Negative,
     Number,
+    Power,
     Product,
     Quotient,
     Sum,
-    times,
-    to_latex,
 )
-from kowalevski_cas.reading.known import DEFINITION, Known, StatementRole
-from kowalevski_cas.reading.statements import SourceStatement
-from kowalevski_cas.reading.unprinted import unprinted
-
-ROOTS = "roots"
-"""The kind of a definition that gives names by the roots of a polynomial."""
+from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.reading.coefficients import coefficients
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.vieta import Roots, polynomial_of
 
 
-def roots(item: SourceStatement, known: Known) -> StatementRole | None:
-    """A polynomial that is known already, with factors which have new names in them."""
-    _, names = _factored(item)
-    rest = item.members[0].names() if names else set[str]()
-    new = len({*names}) == len(names) > 1 and not any(
-        name in rest or known.moves(name) or known.is_defined(name) or _is_used(name, known)
-        for name in names
-    )
-    defined = all(map(known.is_known, rest)) and any(
-        name in known.definitions for name in _functions(item)
-    )
-    if not (new and defined):
-        return None
-    return StatementRole(DEFINITION, f"gives the roots {', '.join(names)}", ROOTS)
+def roots_in_factors(
+    item: SourceStatement, given: Sequence[SourceStatement], paper: SourcePaper
+) -> Roots | None:
+    """The roots that stand in the linear factors of a member, of the polynomial of another one.
 
-
-def values_at_numbers(item: SourceStatement, known: Known) -> Iterator[SourceStatement]:
-    """What says that names are roots: the equation at as many numbers as there are names.
-
-    Both sides are divided by what stands before the factors. Where they begin alike then, they
-    differ by a polynomial of lower degree, which vanishes.
+    Where the square of a rate stands there, it is one by an equation that is ``given`` before.
     """
-    variable, names = _factored(item)
-    left, right = item.members
-    product = right.argument if isinstance(right, Negative) else right
-    assert isinstance(product, Product)
-    before = times(*(factor for factor in product.factors if not _difference(factor)))
-    linear = times(*(factor for factor in product.factors if _difference(factor)))
-    quotient = left if before == Number(1) else Quotient(left, before)
-    sides = (quotient, Negative(linear) if isinstance(right, Negative) else linear)
-    for number in range(len(names)):
-        tex = "=".join(to_latex(_put(side, variable, number)) for side in sides)
-        yield unprinted(known.paper, f"{item.printed.display.id}-at-{number}", tex, item)
+    for member in reversed(item.members[1:]):
+        letter, names = _factored(member)
+        if len({*names}) < len(names) or len(names) < 2:
+            continue
+        beside = (one for one in item.members if one is not member)
+        for other in (one for one in beside if one.names().isdisjoint(names)):
+            for polynomial in _without_rates(other, given):
+                found = polynomial_of(polynomial, letter, names, item, paper)
+                if len(found) == len(names) + 1:
+                    return Roots(item, names, letter, found)
+    return None
 
 
-def root_names(item: SourceStatement) -> tuple[str, ...]:
-    """The names of the roots in a statement."""
-    return _factored(item)[1]
+def _without_rates(formula: Formula, given: Sequence[SourceStatement]) -> Iterator[Formula]:
+    """A formula with what equations give for the square of the rate in it, the last one first."""
+    rates = {node for node in formula.nodes() if isinstance(node, Derivative)}
+    if not rates:
+        yield formula
+    squares = {node for node in formula.nodes() if _is_square_of_rate(node)}
+    if len(rates) != 1 or len(squares) != 1:
+        return
+    (square,) = squares
+    for one in reversed(given):
+        if len(one.members) == 2 and square in (node for m in one.members for node in m.nodes()):
+            with suppress(ValueError):
+                constant, slope = coefficients(minus((one.members[0], one.members[1])), square)
+                yield _put(formula, square, Quotient(Negative(constant), slope))
 
 
-def _factored(item: SourceStatement) -> tuple[str, tuple[str, ...]]:
-    """The variable and the roots of a statement with a product of linear factors on its right."""
-    if len(item.members) != 2:
-        return "", ()
-    right = item.members[1]
-    product = right.argument if isinstance(right, Negative) else right
-    factors = product.factors if isinstance(product, Product) else ()
+def _is_square_of_rate(node: Formula) -> bool:
+    match node:
+        case Power(Derivative(), Number(2)):
+            return True
+    return False
+
+
+def _put(formula: Formula, node: Formula, value: Formula) -> Formula:
+    """A formula with a value in the place of a part."""
+    if formula == node:
+        return value
+    return formula.map_children(lambda child: _put(child, node, value))
+
+
+def _factored(formula: Formula) -> tuple[str, tuple[str, ...]]:
+    """The letter of a product of linear factors, and the names that are subtracted from it."""
+    while isinstance(formula, Negative | Quotient):
+        formula = formula.argument if isinstance(formula, Negative) else formula.numerator
+    factors = formula.factors if isinstance(formula, Product) else ()
     pairs = [pair for factor in factors if (pair := _difference(factor))]
-    common = set.intersection(*map(set, pairs)) & item.members[0].names() if pairs else set()
+    common = set.intersection(*map(set, pairs)) if len(pairs) > 1 else set()
     if len(common) != 1:
         return "", ()
-    (variable,) = common
-    others = [factor for factor in factors if not _difference(factor)]
-    if any(variable in factor.names() for factor in others):
-        return "", ()
-    return variable, tuple(name for pair in pairs for name in pair if name != variable)
+    (letter,) = common
+    return letter, tuple(name for pair in pairs for name in pair if name != letter)
 
 
 def _difference(factor: Formula) -> tuple[str, ...]:
@@ -87,22 +91,3 @@ def _difference(factor: Formula) -> tuple[str, ...]:
         case Sum((Name(one), Negative(Name(other)))):
             return one, other
     return ()
-
-
-def _functions(item: SourceStatement) -> list[str]:
-    """The functions that stand on the left of a statement."""
-    nodes = item.members[0].nodes()
-    return [function for node in nodes if (function := getattr(node, "function", ""))]
-
-
-def _is_used(name: str, known: Known) -> bool:
-    """Whether a name stands in an equation, or in a law, and not only in an inequality."""
-    first = known.seen.get(name)
-    return first is not None and known.roles[first].kind != "inequality"
-
-
-def _put(formula: Formula, name: str, number: int) -> Formula:
-    """A formula with a number in the place of a name."""
-    if formula == Name(name):
-        return Number(number)
-    return formula.map_children(lambda child: _put(child, name, number))

@@ -414,11 +414,27 @@ class Known:
 
     def _together(self, item: SourceStatement) -> list[SourceStatement]:
         """The equations that give names of a statement together."""
-        giving = [(law.new, law.together) for law in self.laws if law.together] + self.rooted
+        giving = [(law.new, law.together) for law in self.laws if law.together]
         names = {inner for name in item.names for inner in self.below(name)} if giving else set()
         return [
             one for given, equations in giving for one in equations if not names.isdisjoint(given)
-        ]
+        ] + self.rooted_at(item)
+
+    def rooted_at(self, item: SourceStatement) -> list[SourceStatement]:
+        """What the coefficients of polynomials say of the roots that have names in a statement.
+
+        These are those that were named last, if some were named several times.
+        """
+        found: dict[str, list[SourceStatement]] = {}
+        for names, equations in self.rooted:
+            own = equations[0].order
+            here = own <= item.order or any(
+                one.order == own for one in self.of_sentence(item.sentence)
+            )
+            found |= dict.fromkeys(names, equations) if here else {}
+        below = {inner for name in item.names for inner in self.below(name)} if found else set()
+        every = [one for name, own in found.items() if name in below for one in own]
+        return [*dict.fromkeys(every)]
 
     def supposed_elsewhere(self, item: SourceStatement) -> list[list[SourceStatement]]:
         """The assumptions about constants, by sentences, that are not in force at a later place."""

@@ -33,6 +33,7 @@ from kowalevski_cas.reading.flow_rungs import OF_FIELD, of_field
 from kowalevski_cas.reading.formulas import are_differentials
 from kowalevski_cas.reading.hypotheses import EQUATIONS, hypotheses, normalisations
 from kowalevski_cas.reading.kept import constancy
+from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.momenta_of_energies import OF_COORDINATE, equation_of_momentum
 from kowalevski_cas.reading.motion_rungs import along_solution, of_motion, solutions, to_some_order
 from kowalevski_cas.reading.named_roots import IS_ROOT, equation_with_root
@@ -163,6 +164,7 @@ class _Ladder(RungMaker):
             yield from self.coefficients()
             return
         given_there = hypotheses(self.item, self.known)
+        yield from self._of_coefficients()
         for assumptions in self.suppositions():
             if not given_there or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
@@ -190,6 +192,18 @@ class _Ladder(RungMaker):
         for given in hypotheses(self.item, self.known):
             said = "this is constant along every motion on the set"
             yield self.rung(FirstIntegral, said, assumptions, given, given=places(given))
+
+    def _of_coefficients(self) -> Iterator[Rung]:
+        """What is said of roots, whatever values the integrals in the coefficients have."""
+        given = self.known.rooted_at(self.item)
+        if not given or self.item.derives:
+            return
+        names = frozenset().union(self.item.names, *(one.names for one in given))
+        law = Law((), self.known.names, levels=frozenset(self.known.varying(names)))
+        says = "both sides are equal by what the coefficients of a polynomial say of its roots"
+        yield stronger(
+            self.rung(Implication, says, self.supposed, given, law=law, given=places(given))
+        )
 
     def _at_levels(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
         r"""The claim where a function that is derived has parameters, as :math:`U(r)=\ell^2/2r^2`.

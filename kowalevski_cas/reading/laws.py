@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Name
+from kowalevski_cas.reading.all_roots import find_moving_roots
 from kowalevski_cas.reading.changes import conjugates_given, find_changes
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
@@ -70,13 +71,14 @@ def _closed_sets(
     if found and any(map(_sets_up, finder.before(found[0]))):
         found = [*_LawFinder(paper, names, said, inline=True).laws()] or found
     whole = bool(found) and not any(one.rates for one in paper.unfinished)
-    own = [law for law in found if not law.change]
+    alone = [law for law in found if not law.together]
+    own = [law for law in alone if not law.change]
     second = len(own) == 1 and is_of_second_order(own[0])
     rows = tuple(implied_rows(paper))
     if rows and second and whole and _needs_momenta(rows, own[0], paper):
         return _with_changes(Law(rows, names, again=(own[0],)), paper, said)
     partial = bool(own) and all(_leaves_out(rows, law, paper) for law in own)
-    rows = rows if len(found) < 2 or not whole or partial else ()
+    rows = rows if len(alone) < 2 or not whole or partial else ()
     if rows and not found:
         among_words = [*_LawFinder(paper, names, said, inline=True).laws()]
         if among_words and among_words[0].items[-1].order < rows[0].order:
@@ -237,7 +239,8 @@ class _LawFinder(PrintedRates):
         for change in changed:
             change.radius = radius_of(change, items, self.paper)
         together = [more for law in part for more in find_together(law, items, self.paper)]
-        return [*changed, *together]
+        roots = [more for law in part for more in find_moving_roots(law, items, self.paper)]
+        return [*changed, *together, *roots]
 
     def _giving(
         self, law: Law, items: Sequence[SourceStatement], end: SourceStatement | None

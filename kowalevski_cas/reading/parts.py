@@ -9,8 +9,8 @@ from functools import cached_property
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.reading.all_roots import roots_at
 from kowalevski_cas.reading.comments import Said
-from kowalevski_cas.reading.factors import ROOTS, root_names, values_at_numbers
 from kowalevski_cas.reading.grammar import Directive
 from kowalevski_cas.reading.known import (
     ASSUMPTION,
@@ -33,6 +33,7 @@ from kowalevski_cas.reading.suppositions import POSITIVE
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import is_printed, unprinted
 from kowalevski_cas.reading.varied_laws import with_varied
+from kowalevski_cas.reading.vieta import relations
 from kowalevski_cas.reading.which_system import nearest_labels, part_in_words
 
 _RETURN = re.compile(
@@ -212,6 +213,7 @@ class Parts:
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""
         known = self.of(item)
+        roots = roots_at(item, known)
         known.enter(item, role)
         if role.kind == POSITIVE:
             name, why = role.names[0], "the words call it positive"
@@ -222,12 +224,13 @@ class Parts:
             for found in solutions_for(item, known):
                 self.places[found] = self.places[item]
                 known.enter(found, StatementRole(DEFINITION, role.reason, "", found.bare[:1]))
-        if role.kind == ROOTS:
-            values = [*values_at_numbers(item, known)]
-            known.rooted.append((frozenset(root_names(item)), values))
-            for found in values:
+        if roots is not None:
+            own = relations(roots, self.paper)
+            known.rooted.append((frozenset(roots.names), own))
+            for found in own:
                 self.places[found] = self.places[item]
-                known.enter(found, StatementRole(DEFINITION, role.reason, TOGETHER))
+                why = f"{', '.join(roots.names)} are roots of a polynomial"
+                known.enter(found, StatementRole(DEFINITION, why, TOGETHER))
 
     def suppose(self, item: SourceStatement) -> None:
         """Keep what comments suppose from a statement on, which the paper does not print."""

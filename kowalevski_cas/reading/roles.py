@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 from kowalevski_cas.notation import Name, Number, Relation
+from kowalevski_cas.reading.all_roots import of_named_roots, of_roots, roots
 from kowalevski_cas.reading.beginnings import beginning
 from kowalevski_cas.reading.brackets import bracket_of_functions
 from kowalevski_cas.reading.brackets_of_momenta import bracket_of_momenta
@@ -26,7 +27,6 @@ from kowalevski_cas.reading.definitions import (
     together,
     unit,
 )
-from kowalevski_cas.reading.factors import roots
 from kowalevski_cas.reading.fixed_points import by_steps, fixed_point
 from kowalevski_cas.reading.flows import divergence, measure
 from kowalevski_cas.reading.idle import idle
@@ -461,12 +461,12 @@ RULES: tuple[Rule, ...] = (
     unread, of_other_number, beginning, idle, eigenvalue, of_flow, supposed_constant,
     expression, named_set, coordinate_lines, law, partial_equation, radius, solved, constraint,
     reaction, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
-    inequality, roots_in_words, happening, kept, unknown, repeated, gives_derivative,
-    special_function, change, roots, by_steps, claimed_set, point, tried, of_roots_spoken_of,
-    solution, constant_of_solution, energy, momentum, named_root, normalisation, of_place,
-    on_place, of_levels, in_brackets, one_of_several, otherwise_given, constant, definition,
-    square,
-    called_condition, assumption, value, approximate, set_of_rates, of_some_motions, rate, zero_set,
-    level, integral, equation_for_roots, identity, other,
+    inequality, of_named_roots, roots_in_words, happening, kept, unknown, repeated,
+    gives_derivative,
+    special_function, change, roots, of_roots, by_steps, claimed_set, point, tried,
+    of_roots_spoken_of, solution, constant_of_solution, energy, momentum, named_root,
+    normalisation, of_place, on_place, of_levels, in_brackets, one_of_several,
+    otherwise_given, constant, definition, square, called_condition, assumption, value, approximate, set_of_rates,
+    of_some_motions, rate, zero_set, level, integral, equation_for_roots, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""

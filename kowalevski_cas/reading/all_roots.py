@@ -1,0 +1,288 @@
+r"""Letters that words, or factors, name as all the roots of a polynomial.
+
+They are constants where its coefficients are, or values of integrals; else they move, by the
+derivatives of Vieta's relations.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Relation,
+    to_latex,
+)
+from kowalevski_cas.notation.symbol import symbol
+from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.signs import is_inequality
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.factors import roots_in_factors
+from kowalevski_cas.reading.fresh import is_fresh
+from kowalevski_cas.reading.known import CLAIM, DEFINITION, LEVEL, OTHER, Known, StatementRole
+from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.phrases import integral_words, plain, supposing
+from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.text import references
+from kowalevski_cas.reading.unprinted import unprinted
+from kowalevski_cas.reading.vieta import Roots, letters_of, polynomial_of, relations
+
+SAYS = "the relation of roots with the coefficients"
+
+_ROOTS = r"(?:roots|zeroe?s|корн(?:и|ями|ей)|нул(?:и|ями|ей))"
+_ARE_ROOTS = re.compile(
+    rf"[\s,~]*(?:\([^()§]*\)\s*)?(?:[-—–]\s*)?(?:(?!not\b|не\b|some\b|any\b)[\w-]+[\s~]+){{0,6}}?{_ROOTS}\b(?P<of>[^§]*)",
+    re.IGNORECASE,
+)
+"""How words begin behind letters that they call the roots of something."""
+_ROOTS_ARE = re.compile(
+    rf"\b{_ROOTS}\b(?P<of>[^§]*?)[\s,:~]*(?:(?:be|are|by|called|denoted|через|обозначим|суть|[-—–])[\s:~]*)*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stand the letters for the roots of what they speak of."""
+_DENOTED = re.compile(
+    r"[\s,~]*(?:are\s+|will\s+be\s+|обозначим\s+|обозначаются\s+)?(?:denoted\s+)?(?:by|as|through|через)[\s:~]*",
+    re.IGNORECASE,
+)
+"""Words between an expression, of the roots of which words speak, and the letters for these."""
+_ROOTS_OF = re.compile(rf"\b{_ROOTS}\b[^§.;,:]*$", re.IGNORECASE)
+_OF_WHAT_FOLLOWS = re.compile(
+    r"[\s~]*(?:of\b|многочлен|полином|уравнени|трёхчлен|трехчлен|функци)[^.;:,]*[\s:~,]*(?:i\.\s*e\.,?\s*)?$",
+    re.IGNORECASE,
+)
+_OF_THIS = re.compile(
+    r"[\s~]*(?:of\s+(?:this|that|the|its|these)|этого|последнего|правой|его)\b[^.;:]*",
+    re.IGNORECASE,
+)
+_IN_LIST = re.compile(r"[\s,~]*(?:\b(?:and|и)\b[\s,~]*)?")
+
+
+def roots_named(
+    item: SourceStatement, paper: SourcePaper, mentioned: Collection[str]
+) -> Roots | None:
+    """The roots that words at the last of some letters name, of what is printed beside them."""
+    listed = _list_before(item, paper)
+    names = tuple(name for one in listed for name in _letters(one))
+    if len(names) < 2 or len({*names}) < len(names):
+        return None
+    for of in _spoken_of(listed, paper):
+        formula = _polynomial(of)
+        highest = {
+            letter: polynomial_of(formula, letter, names, item, paper)
+            for letter in _unknowns(formula, names, item, paper, mentioned)
+        }
+        degrees = [len(one) - 1 if one else len(names) for one in highest.values()]
+        if degrees.count(len(names)) == 1 and max(degrees) == len(names):
+            return next(
+                (
+                    Roots(item, names, letter, one)
+                    for letter, one in highest.items()
+                    if one and len(one) > len(names)
+                ),
+                None,
+            )
+    return None
+
+
+def _unknowns(
+    formula: Formula,
+    names: Sequence[str],
+    item: SourceStatement,
+    paper: SourcePaper,
+    mentioned: Collection[str],
+) -> Collection[str]:
+    """The letters of a formula of which it may have roots: that of the roots, or free ones.
+
+    A free letter is neither given, nor in an equation with rates. Where there is none it is one of
+    the others.
+    """
+    found = letters_of(formula, names, item, paper)
+    own = {replace(symbol(name), index="").name for name in names}
+    if len(own) == 1 and own <= found:
+        return own
+    before = [one for one in paper.items if one.sentence[0] <= item.sentence[0]]
+    bound = {name for one in before for name in one.names if one.derives}
+    bound |= {name for one in before for name in one.printed.heads.names}
+    return found - bound - {*mentioned} or found
+
+
+def _letters(item: SourceStatement) -> tuple[str, ...]:
+    """The letters of which a statement is a list, or which it puts in their order."""
+    formula = item.formula
+    if isinstance(formula, Name):
+        return (formula.name,)
+    if isinstance(formula, Relation) and is_inequality(formula):
+        names = [one.name for one in formula.members if isinstance(one, Name)]
+        return tuple(names) if len(names) == len(formula.members) else ()
+    return ()
+
+
+def _list_before(item: SourceStatement, paper: SourcePaper) -> list[SourceStatement]:
+    """The letters of a list, up to the last one; none before this is reached."""
+    beside = [one for one in paper.items if one.sentence == item.sentence and _letters(one)]
+    if item not in beside:
+        return []
+    place = beside.index(item)
+    behind = beside[place + 1 : place + 2]
+    if behind and _are_beside(item, behind[0]):
+        return []
+    first = place
+    while first and _are_beside(beside[first - 1], beside[first]):
+        first -= 1
+    return beside[first : place + 1]
+
+
+def _are_beside(one: SourceStatement, other: SourceStatement) -> bool:
+    """Whether nothing but a comma or an “and” stands between two letters."""
+    following = other.order == one.order + 1
+    return following and (one.typed is other.typed or bool(_IN_LIST.fullmatch(other.lead)))
+
+
+def _spoken_of(listed: Sequence[SourceStatement], paper: SourcePaper) -> Iterator[SourceStatement]:
+    """What words call the polynomial, or the equation, with these roots."""
+    first, last = listed[0], listed[-1]
+    order = {one.order: one for one in paper.items}
+    before, behind = order.get(first.order - 1), order.get(last.order + 1)
+    near = before is not None and before.paragraph == first.paragraph
+    of = tail = ""
+    if said := _ARE_ROOTS.match(last.tail) or _ROOTS_ARE.search(first.lead):
+        of, tail = said["of"], last.tail
+    elif not (before and _DENOTED.fullmatch(first.lead) and _ROOTS_OF.search(before.lead)):
+        return
+    if cited := [one for label in references(of) for one in paper.labels.get(label, ())]:
+        yield cited[0]
+    elif _OF_WHAT_FOLLOWS.match(tail if not of.strip() else of):
+        if behind is not None and behind.sentence == last.sentence:
+            yield behind
+    elif near and before is not None and (_OF_THIS.match(of) or not of.strip()):
+        yield before
+
+
+def _polynomial(item: SourceStatement) -> Formula:
+    """What has to vanish for a root: the side of an equation that is no name, nor has rates."""
+    assert item.formula is not None
+    if len(item.members) < 2:
+        return item.formula
+    left, right = item.members[0], item.members[-1]
+    if Number(0) in (left, right):
+        return left if right == Number(0) else right
+    alone = isinstance(left, Name | Application | Power)
+    rated = any(isinstance(node, Derivative) for node in left.nodes())
+    return right if alone or rated else minus((left, right))
+
+
+def find_moving_roots(
+    law: Law, items: Sequence[SourceStatement], paper: SourcePaper
+) -> Iterator[Law]:
+    """The law with the roots that are named behind it, where coefficients move."""
+    moving = {*law.variables}
+    seen = moving.union(law.mentions, *(one.names for one in law.items))
+    for item in items:
+        if moving & {*law.names.scalars(item.names)} and not _is_of_integral(item):
+            moving |= {*item.printed.heads.names, *item.printed.heads.squares} - law.mentions
+        roots = None
+        if item.order > law.order:
+            roots = roots_named(item, paper, law.mentions) or roots_in_factors(item, (), paper)
+        if roots is not None and seen.isdisjoint(roots.names):
+            named = {name for one in roots.polynomial for name in one.names()}
+            if moving & {*law.names.scalars(named)}:
+                own = relations(roots, paper, named & moving)
+                rows = tuple(_row(one, paper) for one in own)
+                yield Law(rows, law.names, base=law, together=tuple(own), new=roots.names)
+        seen |= item.names if item.members else set()
+
+
+def _is_of_integral(item: SourceStatement) -> bool:
+    """Whether words call what a statement gives an integral: then it is a constant of motions."""
+    return bool(integral_words(item) or cue("energy", item.lead))
+
+
+def _row(item: SourceStatement, paper: SourcePaper) -> SourceStatement:
+    """The derivative of a relation between roots."""
+    left, right = (rf"\frac{{d}}{{dt}}\left({to_latex(one)}\right)" for one in item.members)
+    return unprinted(paper, f"rate-of-{item.printed.display.id}", f"{left}={right}", item, SAYS)
+
+
+def roots_at(item: SourceStatement, known: Known) -> Roots | None:
+    """The new letters that a statement makes roots of a polynomial with constant coefficients."""
+    mentioned = {name for law in known.laws for name in law.mentions}
+    roots = roots_named(item, known.paper, mentioned)
+    roots = roots or roots_in_factors(item, _given(item, known), known.paper)
+    again = {name for names, _ in known.rooted for name in names} if not item.members else set()
+    if roots is None or any(
+        known.moves(name) or known.is_defined(name) or _is_used(name, item, known)
+        for name in {*roots.names} - again
+    ):
+        return None
+    named = {name for one in roots.polynomial for name in one.names()}
+    giving = {one for name in named for one in known.definitions.get(name, ())}
+    named -= {name for one in filter(_is_of_integral, giving) for name in known.roles[one].names}
+    return None if known.varying(named - known.levels) else roots
+
+
+def roots(item: SourceStatement, known: Known) -> StatementRole | None:
+    """A polynomial that is known already, with factors which have new names in them."""
+    if not item.members or roots_at(item, known) is None:
+        return None
+    return StatementRole(CLAIM, "has new names for the roots of what is known", "identity")
+
+
+def of_roots(item: SourceStatement, known: Known) -> StatementRole | None:
+    """What is said of roots that have been named, and of nothing new."""
+    related = {name for _, own in known.rooted for one in own for name in one.names}
+    named = {name for names, _ in known.rooted for name in names}
+    if len(item.members) < 2 or named.isdisjoint(item.names) or item.derives:
+        return None
+    heads = item.printed.heads
+    given = {*heads.names, *heads.squares, *heads.multiples, *item.names - related}
+    new = any(name not in related and is_fresh(name, item, known) for name in given)
+    if new or supposing(item) or cue("define", item.lead):
+        return None
+    return StatementRole(CLAIM, "an equation between what is known", "identity")
+
+
+def of_named_roots(item: SourceStatement, known: Known) -> StatementRole | None:
+    """An equation for a letter of its own, of which words name the roots: it need not hold."""
+    if len(item.members) != 2 or item.derives or isinstance(item.members[0], Name | Application):
+        return None
+    beside = (one for one in known.items if abs(one.order - item.order) < _NEAR)
+    mentioned = {name for law in known.laws for name in law.mentions}
+    for one in beside:
+        roots = roots_named(one, known.paper, mentioned) if _letters(one) else None
+        if roots is not None and item in _spoken_of(_list_before(one, known.paper), known.paper):
+            if roots.letter in item.names and not known.varies(roots.letter):
+                why = f"{', '.join(map(plain, roots.names))} are its roots"
+                return StatementRole(OTHER, f"{why}: it is not said to hold always")
+    return None
+
+
+_NEAR = 6
+"""So many formulas are between an equation and the letters for its roots at most."""
+
+
+def _given(item: SourceStatement, known: Known) -> list[SourceStatement]:
+    """The equations before a statement that hold where it stands, those that it cites last."""
+    here, cited = {*known.supposed(item)}, [*known.cited(item)]
+    before = [
+        one
+        for one, role in known.roles.items()
+        if one.order < item.order
+        and role.name in (CLAIM, DEFINITION, LEVEL)
+        and {*known.supposed(one)} <= here
+    ]
+    return sorted(before, key=lambda one: (one in cited, one.order))
+
+
+def _is_used(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a name stands in an equation, or in a law, before, and not only in an inequality."""
+    first = known.seen.get(name)
+    if first is None or first.sentence == item.sentence:
+        return False
+    return known.roles[first].kind != "inequality"
