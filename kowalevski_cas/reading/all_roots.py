@@ -37,31 +37,44 @@ from kowalevski_cas.reading.vieta import Roots, letters_of, polynomial_of, relat
 SAYS = "the relation of roots with the coefficients"
 
 _ROOTS = r"(?:roots|zeroe?s|корн(?:и|ями|ей)|нул(?:и|ями|ей))"
-_ARE_ROOTS = re.compile(
-    rf"[\s,~]*(?:\([^()§]*\)\s*)?(?:[-—–]\s*)?(?:(?!not\b|не\b|some\b|any\b)[\w-]+[\s~]+){{0,6}}?{_ROOTS}\b(?P<of>[^§]*)",
-    re.IGNORECASE,
-)
-"""How words begin behind letters that they call the roots of something."""
-_ROOTS_ARE = re.compile(
-    rf"\b{_ROOTS}\b(?P<of>[^§]*?)[\s,:~]*(?:(?:be|are|by|called|denoted|через|обозначим|суть|[-—–])[\s:~]*)*$",
-    re.IGNORECASE,
-)
+_ARE_ROOTS = re.compile(rf"(?P<are>[^§]*?)\b{_ROOTS}\b(?P<of>[^§.;:,]*)", re.IGNORECASE)
+"""Words behind letters that call them the roots of something."""
+_ROOTS_ARE = re.compile(rf"(?P<has>[^§]*)\b{_ROOTS}\b(?P<of>[^§]*)$", re.IGNORECASE)
 """How words end behind which stand the letters for the roots of what they speak of."""
-_DENOTED = re.compile(
-    r"[\s,~]*(?:are\s+|will\s+be\s+|обозначим\s+|обозначаются\s+)?(?:denoted\s+)?(?:by|as|through|через)[\s:~]*",
+_ROOTS_OF = re.compile(rf"\b{_ROOTS}\b(?P<of>[^§]*)$", re.IGNORECASE)
+_DENOTED = re.compile(r"(?:denoted|by|as|through|через|обозначим)[\s:~]*$", re.IGNORECASE)
+"""How words end behind which stand letters for what is printed before them."""
+_ARE = frozenset(
+    """be is are was were being denote denotes denoted denoting call called then the its a both all
+    two three four five six real different distinct simple as by to we with has have having let and
+    which it where in general defined given introduced taken found obtained will again now here so
+    this that on
+    — – - суть являются есть все три два две вещественные действительные различные простые через
+    обозначим имеет пусть его где и""".split()
+)
+"""Words beside roots that say that letters are these, and no more."""
+_OF = frozenset(
+    """of the this that its their following quadratic cubic quartic quintic algebraic characteristic
+    secular last latter same above equation polynomial trinomial function expression right left hand
+    side entry element in on eq i e namely first second
+    уравнения многочлена полинома трёхчлена трехчлена функции этого последнего правой левой части
+    квадратного кубического характеристического следующего""".split()
+)
+"""Words behind roots that say of what they are the roots, and not of what is made from that."""
+_OF_OTHERS = re.compile(
+    r"\bof[\s~]*$|\b(?:squares?|inverses?|reciprocals?|doubled?|halves|half|квадрат\w*|обратн\w+|удвоенн\w+)\b",
     re.IGNORECASE,
 )
-"""Words between an expression, of the roots of which words speak, and the letters for these."""
-_ROOTS_OF = re.compile(rf"\b{_ROOTS}\b[^§.;,:]*$", re.IGNORECASE)
-_OF_WHAT_FOLLOWS = re.compile(
-    r"[\s~]*(?:of\b|многочлен|полином|уравнени|трёхчлен|трехчлен|функци)[^.;:,]*[\s:~,]*(?:i\.\s*e\.,?\s*)?$",
-    re.IGNORECASE,
-)
-_OF_THIS = re.compile(
-    r"[\s~]*(?:of\s+(?:this|that|the|its|these)|этого|последнего|правой|его)\b[^.;:]*",
-    re.IGNORECASE,
-)
+"""Words before letters by which not these are roots, but what is made from them."""
+_THIS = re.compile(r"\b(?:this|that|its|last|latter|этого|последнего|правой)\b", re.IGNORECASE)
+_CITED = re.compile(r"\(?\\[A-Za-z]+\s*\{[^{}]*\}\)?")
 _IN_LIST = re.compile(r"[\s,~]*(?:\b(?:and|и)\b[\s,~]*)?")
+
+
+def _only(words: str, *allowed: Collection[str]) -> bool:
+    """Whether some words are all among others, but for citations."""
+    found = re.findall(r"[^\W\d_]+", _CITED.sub(" ", words).lower())
+    return {*found} <= frozenset().union(*allowed)
 
 
 def roots_named(
@@ -109,7 +122,7 @@ def _unknowns(
         return own
     before = [one for one in paper.items if one.sentence[0] <= item.sentence[0]]
     bound = {name for one in before for name in one.names if one.derives}
-    bound |= {name for one in before for name in one.printed.heads.names}
+    bound |= {name for one in before if one.members for name in one.printed.heads.names}
     return found - bound - {*mentioned} or found
 
 
@@ -150,19 +163,42 @@ def _spoken_of(listed: Sequence[SourceStatement], paper: SourcePaper) -> Iterato
     first, last = listed[0], listed[-1]
     order = {one.order: one for one in paper.items}
     before, behind = order.get(first.order - 1), order.get(last.order + 1)
-    near = before is not None and before.paragraph == first.paragraph
-    of = tail = ""
-    if said := _ARE_ROOTS.match(last.tail) or _ROOTS_ARE.search(first.lead):
-        of, tail = said["of"], last.tail
-    elif not (before and _DENOTED.fullmatch(first.lead) and _ROOTS_OF.search(before.lead)):
+    before = before if before is not None and before.paragraph == first.paragraph else None
+    behind = behind if behind is not None and behind.sentence == last.sentence else None
+    for of, follows in _words_of_roots(first, last, before):
+        cited = [one for label in references(of) for one in paper.labels.get(label, ())]
+        found = cited[0] if cited else behind if follows else before
+        if found is not None:
+            yield found
+
+
+def _words_of_roots(
+    first: SourceStatement, last: SourceStatement, before: SourceStatement | None
+) -> Iterator[tuple[str, bool]]:
+    """The words that say of what letters are the roots, and whether this follows them."""
+    said = _ARE_ROOTS.match(last.tail)
+    if said and _only(said["are"], _ARE) and _only(said["of"], _OF):
+        if not _OF_OTHERS.search(first.lead):
+            yield said["of"], _follows(said["of"], last.tail[said.end() :])
         return
-    if cited := [one for label in references(of) for one in paper.labels.get(label, ())]:
-        yield cited[0]
-    elif _OF_WHAT_FOLLOWS.match(tail if not of.strip() else of):
-        if behind is not None and behind.sentence == last.sentence:
-            yield behind
-    elif near and before is not None and (_OF_THIS.match(of) or not of.strip()):
-        yield before
+    said = _ROOTS_ARE.search(first.lead)
+    if said and _only(said["has"], _ARE, _OF) and _only(said["of"], _ARE, _OF):
+        behind = _BEHIND.match(last.tail) is not None and _only(last.tail, _OF)
+        yield said["of"] + (last.tail if behind else ""), behind and _follows(last.tail)
+        return
+    said = _ROOTS_OF.search(before.lead) if before and _DENOTED.search(first.lead) else None
+    if said and _only(said["of"], _OF) and _only(first.lead, _ARE):
+        yield "", False
+
+
+_BEHIND = re.compile(r"[\s~]*(?:of|многочлена|уравнения|полинома)\b", re.IGNORECASE)
+"""How words begin behind the letters for roots that say of what they are the roots."""
+
+
+def _follows(of: str, rest: str = "") -> bool:
+    """Whether the polynomial is printed behind these words: it is not spoken of before."""
+    nothing = not rest.strip(" ~:\n")
+    return nothing and _BEHIND.match(of) is not None and not _THIS.search(of)
 
 
 def _polynomial(item: SourceStatement) -> Formula:
@@ -185,7 +221,8 @@ def find_moving_roots(
     moving = {*law.variables}
     seen = moving.union(law.mentions, *(one.names for one in law.items))
     for item in items:
-        if moving & {*law.names.scalars(item.names)} and not _is_of_integral(item):
+        old = item.members and moving & {*law.names.scalars(item.names)}
+        if old and not _is_of_integral(item):
             moving |= {*item.printed.heads.names, *item.printed.heads.squares} - law.mentions
         roots = None
         if item.order > law.order:
@@ -217,8 +254,7 @@ def roots_at(item: SourceStatement, known: Known) -> Roots | None:
     roots = roots or roots_in_factors(item, _given(item, known), known.paper)
     again = {name for names, _ in known.rooted for name in names} if not item.members else set()
     if roots is None or any(
-        known.moves(name) or known.is_defined(name) or _is_used(name, item, known)
-        for name in {*roots.names} - again
+        known.moves(name) or _is_old(name, item, known) for name in {*roots.names} - again
     ):
         return None
     named = {name for one in roots.polynomial for name in one.names()}
@@ -257,7 +293,8 @@ def of_named_roots(item: SourceStatement, known: Known) -> StatementRole | None:
     for one in beside:
         roots = roots_named(one, known.paper, mentioned) if _letters(one) else None
         if roots is not None and item in _spoken_of(_list_before(one, known.paper), known.paper):
-            if roots.letter in item.names and not known.varies(roots.letter):
+            new = not any(_is_old(name, one, known) for name in roots.names)
+            if new and roots.letter in item.names and not known.varies(roots.letter):
                 why = f"{', '.join(map(plain, roots.names))} are its roots"
                 return StatementRole(OTHER, f"{why}: it is not said to hold always")
     return None
@@ -280,8 +317,12 @@ def _given(item: SourceStatement, known: Known) -> list[SourceStatement]:
     return sorted(before, key=lambda one: (one in cited, one.order))
 
 
-def _is_used(name: str, item: SourceStatement, known: Known) -> bool:
-    """Whether a name stands in an equation, or in a law, before, and not only in an inequality."""
+def _is_old(name: str, item: SourceStatement, known: Known) -> bool:
+    """Whether a name moves, is given, or stands in an equation before, and is not new here."""
+    if any(name in law.new for law in known.laws if law.together):
+        return False
+    if known.moves(name) or known.is_defined(name):
+        return True
     first = known.seen.get(name)
     if first is None or first.sentence == item.sentence:
         return False

@@ -184,3 +184,27 @@ def test_roots_on_a_sphere(sign, green):
     $\sum_{i=1}^3\frac{q_i^2}{z-a_i}=0$."""
     claim = rf"q_1^2={sign}\frac{{(a_1-u_1)(a_1-u_2)}}{{(a_1-a_2)(a_1-a_3)}}"
     assert verdicts(rf"{sphere} Then $${claim}.$$")[claim].green is green
+
+
+ENERGY = r"""The law is $$\ddot x=a-3x^2$$ with the energy $h=\frac12\dot x^2-ax+x^3$. """
+
+
+@pytest.mark.parametrize(
+    "words",
+    sampled(
+        [
+            "Let $u_1,u_2,u_3$ be the square roots of the zeros of $h+as-s^3$. Then",
+            "Let $u_1,u_2,u_3$ be the inverse roots of $h+as-s^3$. Then",
+            "The squares of $u_1,u_2,u_3$ are the roots of $h+as-s^3$. Then",
+            "The numbers $u_1,u_2,u_3$ are twice the roots of $h+as-s^3$. Then",
+            "The numbers $u_1,u_2,u_3$ are not the roots of $h+as-s^3$. Then",
+            "Let $u_1,u_2,u_3$ be the roots of the derivative of $h+as-s^3$. Then",
+            "The derivative of $h+as-s^3$ has the roots $u_1,u_2,u_3$. Then",
+            "Пусть квадраты чисел $u_1,u_2,u_3$ — корни многочлена $h+as-s^3$. Тогда",
+        ],
+        2,
+    ),
+)
+def test_other_words_beside_roots_name_none(words):
+    claim = "u_1u_2+u_2u_3+u_3u_1=-a"
+    assert verdicts(rf"{ENERGY} {words} $${claim}.$$")[claim] is Verdict.UNDECIDED
