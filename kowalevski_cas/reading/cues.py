@@ -110,7 +110,8 @@ CUES: dict[str, str] = {
         \blet\b denot\w+ defin\w+ introduc\w+ \bput\b(?!\s+together) \bset\b notation
         \bwrite\b \bwhere\b \bhere\b \bcall(?:ed)?\b new\s+variables? in\s+the\s+variables?
         abbreviat\w+ stands?\s+for \bwith\s+the\b обознач\w+ введ\w+ вводя пусть \bгде\b
-        \bположи(?:м|в|вши|ть)\b \bздесь\b определ\w+ в\s+переменных""",
+        \bположи(?:м|в|вши|ть)\b \bздесь\b определ\w+ в\s+переменных
+        \b(?:putting|setting|letting|writing|полагая)\b(?=[\s~]*(?:§|$))""",
     "in this part": r"""
         \bin\s+this\s+(?:section|chapter|subsection|part|case) \bhere\b
         в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b

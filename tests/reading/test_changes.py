@@ -218,8 +218,9 @@ IN_SPACE = (
         ),
     ],
 )
-def test_one_angle_may_give_several_variables_on_a_set(law, claim, wrong):
-    text = law + r"We put $\gamma_1=\cos\theta$, $\gamma_2=-\sin\theta$. Then "
+@pytest.mark.parametrize("words", ["We put {}. Then ", "The body swings: putting {} we have "])
+def test_one_angle_may_give_several_variables_on_a_set(law, claim, wrong, words):
+    text = law + words.format(r"$\gamma_1=\cos\theta$, $\gamma_2=-\sin\theta$")
     assert [*verdicts(text + claim).values()][-1] is Verdict.CONDITIONAL
     assert not [*verdicts(text + wrong).values()][-1].green
 
