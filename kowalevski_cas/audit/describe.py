@@ -56,7 +56,8 @@ class Describer:
                 raise NotationError(self.refused[display], typed.tex, 0)
             intervals = split_display(_read_as(typed.tex, display.tex))
             expected = len(split_display(display.tex))
-            self.texts.statement(display[1])
+            if len(intervals) == 1:
+                self.texts.statement(display[1])
         except NotationError as error:
             message = typed.trouble or str(error)
             yield self._entry(display.id, typed, (0, len(typed.tex)), display, UNREADABLE, message)
@@ -66,7 +67,10 @@ class Describer:
             id = printed.place if len(intervals) > 1 or expected > 1 else display.id
             audited = self._entry(id, typed, interval, display, GIVEN, typed.trouble)
             audited.moved = place.moved
-            self._judge(audited, printed)
+            try:
+                self._judge(audited, printed)
+            except NotationError as error:  # of those beside it some can be read
+                audited.verdict, audited.message = UNREADABLE, str(error)
             yield audited
         for number in range(len(intervals) + 1, expected + 1):
             yield self._entry(

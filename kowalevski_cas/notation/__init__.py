@@ -48,6 +48,6 @@ from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
-from kowalevski_cas.notation.reader import PrintedStatement, read, read_display
+from kowalevski_cas.notation.reader import PrintedStatement, read, read_display, read_statement
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary

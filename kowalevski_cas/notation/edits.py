@@ -22,7 +22,7 @@ from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints, only_change
-from kowalevski_cas.notation.reader import Path, PrintedStatement, read_display
+from kowalevski_cas.notation.reader import Path, PrintedStatement, read_statement
 from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -62,10 +62,12 @@ class Edit:
         place = [start for start, _ in before].index(self.statement.start)
         for source in self._sources(wanted):
             try:
-                found = read_display(source, self.vocabulary)
+                if len(split_display(source)) != len(before):
+                    continue
+                found = read_statement(source, place + 1, self.vocabulary)
             except NotationError:
                 continue
-            if len(found) == len(before) and found[place].formula == wanted:
+            if found.formula == wanted:
                 return source
         return to_latex(wanted)
 
@@ -128,7 +130,7 @@ def edits(
     formula is ``wanted``, those are left out that stand where no change can lead to it.
 
     >>> words = Vocabulary(frozenset({"x_1", "x_2"}))
-    >>> [statement] = read_display("x_1 - x_2", words)
+    >>> statement = read_statement("x_1 - x_2", 1, words)
     >>> [edit.tex for edit in edits(statement, words)][:4]
     ['-x_1 - x_2', 'x_1 + x_2', 'x_2 - x_2', 'x_1 - x_1']
     """
@@ -178,7 +180,7 @@ def changes_subject(edit: Edit) -> bool:
     the first one, as in :math:`A\dot p=(B-C)qr`.
 
     >>> words = Vocabulary(frozenset({"U", "x"}))
-    >>> [statement] = read_display("U=2x", words)
+    >>> statement = read_statement("U=2x", 1, words)
     >>> [edit.tex for edit in edits(statement, words) if changes_subject(edit)]
     ['-U=2x', 'x=2x', 'U=2U', 'U^2=2x', '2U=2x', '\\frac{1}{2}U=2x', 'UU=2x', 'Ux=2x', 'U=2xU']
     """
@@ -211,7 +213,7 @@ def is_small_change(before: Formula, after: Formula) -> bool:
 
     >>> words = Vocabulary(frozenset({"x", "y"}))
     >>> texts = ("x+y=1", "x-y=1", "x+y=x^2+y^2")
-    >>> formulas = [read_display(tex, words)[0].formula for tex in texts]
+    >>> formulas = [read_statement(tex, 1, words).formula for tex in texts]
     >>> [is_small_change(formulas[0], other) for other in formulas]
     [False, True, False]
     """

@@ -13,7 +13,7 @@ from functools import cached_property
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import printed_statements, statements
+from kowalevski_cas.notation.layout import StatementTokens, printed_statements, statements
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -74,8 +74,23 @@ def read_display(
     >>> [statement.source for statement in read_display(r"$$ F_1=0,\quad F_2=0 $$", words)]
     ['F_1=0', 'F_2=0']
     """
-    read_so_far = []
-    for tokens, start, end in statements(tex):
-        piece = parser(tex, tokens, vocabulary).statement()
-        read_so_far.append(PrintedStatement(piece[0], tex, start, end, piece))
-    return tuple(read_so_far)
+    found = statements(tex)
+    return tuple(_statement(tex, one, vocabulary, parser) for one in found)
+
+
+def read_statement(tex: str, number: int, vocabulary: Vocabulary) -> PrintedStatement:
+    r"""The statement of a number of a display, of which others may not be readable.
+
+    >>> words = Vocabulary(frozenset({"F_1", "F_2"}))
+    >>> read_statement(r"\lim_{t\to\infty}F_1=0,\quad F_2=0", 2, words).source
+    'F_2=0'
+    """
+    return _statement(tex, statements(tex)[number - 1], vocabulary, Parser)
+
+
+def _statement(
+    tex: str, printed: StatementTokens, vocabulary: Vocabulary, parser: type[Parser]
+) -> PrintedStatement:
+    tokens, start, end = printed
+    piece = parser(tex, tokens, vocabulary).statement()
+    return PrintedStatement(piece[0], tex, start, end, piece)

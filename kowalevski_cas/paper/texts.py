@@ -25,6 +25,7 @@ from kowalevski_cas.notation import (
     defined_names,
     read,
     read_display,
+    read_statement,
     split_display,
 )
 from kowalevski_cas.paper.times import TimeChange, time_change
@@ -259,8 +260,17 @@ class Texts:
         return change
 
     def statement(self, printed: Printed) -> PrintedStatement:
-        """The statement at a place, as it stands before edits."""
-        statements = self.statements(printed.display)
+        """The statement at a place, as it stands before edits.
+
+        It may stand beside others that cannot be read.
+        """
+        try:
+            statements = self.statements(printed.display)
+        except NotationError:
+            source = self.source(printed.display)
+            if 1 < len(split_display(source)) >= printed.number >= 1:
+                return read_statement(source, printed.number, self.vocabulary)
+            raise
         if not 1 <= printed.number <= len(statements):
             raise NotationError(
                 f"{printed.display.id}: statement {printed.number} is asked for, there are "

@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
+    NotationError,
     Number,
     Power,
     Quotient,
@@ -173,7 +174,10 @@ def _common_changes(
             continue
         standing = [*dict.fromkeys(claim for one in places for claim in suspected[one][1])]
         if len(standing) >= least:
-            printed = texts.statements(place.display)
+            try:
+                printed = texts.statements(place.display)
+            except NotationError:  # something beside it cannot be read
+                continue
             for edit in common_edits(printed, place.number, texts.vocabulary):
                 if not changes_subject(edit):
                     yield suspect, edit, place, standing
