@@ -23,6 +23,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.processes import each
 from kowalevski_cas.reading.choice import may_hold
 from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.given_anew import GIVEN_ANEW
 from kowalevski_cas.reading.known import CLAIM, MORE, UNREAD, Known
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.parts import Parts
@@ -36,6 +37,10 @@ from kowalevski_cas.verify.interpretation import Interpretation
 OTHERWISE = (
     "${}$ (line {}) does not hold by the equations of motion: it may be another law, and this "
     "may be said of it; print all equations of that law in a display"
+)
+ANOTHER_FUNCTION = (
+    "${}$ (line {}) gives a function of the law once more: this is said of another law; print its "
+    "equations of motion in a display"
 )
 NOT_CLAIMED = ("denied", "excepted", "quoted", "asked", MORE)
 """The kinds of what is printed and not claimed as it is."""
@@ -86,6 +91,7 @@ class OtherCases:
 
         found = each(fails, range(len(asked)), late=lambda _: False)
         self.rows = [row for row, failing in zip(asked, found, strict=True) if failing]
+        self.anew = [one for one, role in parts.roles.items() if role.kind == GIVEN_ANEW]
 
     def _is_asked(self, item: SourceStatement, rungs: Sequence[Rung]) -> bool:
         """Whether a statement gives rates of what moves, and words set up another case for it."""
@@ -132,6 +138,9 @@ class OtherCases:
             for one in known.definitions.get(inner, ())
         )
         derives = item.derives or any(one.derives for one in defining)
+        for row in self.anew if derives or known.varying(item.names) else ():
+            if row.typed is not item.typed and self._reaches(row, start):
+                return self._told(ANOTHER_FUNCTION, row)
         if isinstance(claim, _BY_ALGEBRA) and not derives:
             return ""
         moving = {*claim.scene.variables}
@@ -139,10 +148,13 @@ class OtherCases:
             rated = {*known.names.scalars(row.rates)}
             reached = row.typed is not item.typed and self._reaches(row, start)
             if reached and (rated & moving or row.formula is None):
-                lines = self.parts.paper.lines
-                line = lines.get(row.printed.display.id, 0)
-                return OTHERWISE.format(row.typed.tex.strip(" ."), line)
+                return self._told(OTHERWISE, row)
         return ""
+
+    def _told(self, why: str, row: SourceStatement) -> str:
+        """A reason, with a row and its line."""
+        line = self.parts.paper.lines.get(row.printed.display.id, 0)
+        return why.format(row.typed.tex.strip(" ."), line)
 
     def _approximate(self, item: SourceStatement, start: int) -> list[SourceStatement]:
         """The last equation before a place that holds approximately, if words speak of its motions.

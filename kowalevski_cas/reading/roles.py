@@ -29,6 +29,7 @@ from kowalevski_cas.reading.definitions import (
 )
 from kowalevski_cas.reading.fixed_points import by_steps, fixed_point
 from kowalevski_cas.reading.flows import divergence, measure
+from kowalevski_cas.reading.given_anew import given_anew
 from kowalevski_cas.reading.idle import idle
 from kowalevski_cas.reading.index_ranges import is_range
 from kowalevski_cas.reading.jets import gives_derivative, special_function
@@ -465,7 +466,7 @@ RULES: tuple[Rule, ...] = (
     gives_derivative, special_function, change, roots, of_roots, by_steps, claimed_set, point,
     tried, of_roots_spoken_of, solution, constant_of_solution, energy, momentum, named_root,
     normalisation, of_place, on_place, of_levels, in_brackets, one_of_several, otherwise_given,
-    constant, definition, square, called_condition, assumption, value, approximate, set_of_rates,
-    of_some_motions, rate, zero_set, level, integral, equation_for_roots, identity, other,
+    constant, definition, given_anew, square, called_condition, assumption, value, approximate,
+    set_of_rates, of_some_motions, rate, zero_set, level, integral, equation_for_roots, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
