@@ -16,7 +16,7 @@ _GIVEN = re.compile(
     rf"(?<![\w\\}}^/+-])(?P<name>{NAME})\s*&?=\s*{_RECIPROCAL}\s*(?=[,.;&]|$|\\(?:q?quad|\\|text))"
 )
 _APPLIED = re.compile(
-    rf"(?<![A-Za-z\\])(?P<of>{NAME}'*)\s*(?P<left>(?:\\left\s*)?\()\s*{_RECIPROCAL}"
+    rf"(?<![A-Za-z\\])(?P<of>{NAME}'*)(?:\s|\\[!,;:])*(?P<left>(?:\\left\s*)?\()\s*{_RECIPROCAL}"
     rf"\s*(?P<right>(?:\\right\s*)?\))"
 )
 
