@@ -184,6 +184,9 @@ def _words_of_roots(
     said = _ROOTS_ARE.search(first.lead)
     if said and _only(said["has"], _ARE, _OF) and _only(said["of"], _ARE, _OF):
         behind = _BEHIND.match(last.tail) is not None and _only(last.tail, _OF)
+        if not behind and before and before.sentence == first.sentence:
+            if _OF_OTHERS.search(before.lead):  # “the derivative of P has the roots”
+                return
         yield said["of"] + (last.tail if behind else ""), behind and _follows(last.tail)
         return
     said = _ROOTS_OF.search(before.lead) if before and _DENOTED.search(first.lead) else None
