@@ -282,7 +282,8 @@ def of_roots(item: SourceStatement, known: Known) -> StatementRole | None:
     heads = item.printed.heads
     given = {*heads.names, *heads.squares, *heads.multiples, *item.names - related}
     new = any(name not in related and is_fresh(name, item, known) for name in given)
-    if new or supposing(item) or cue("define", item.lead):
+    case = item.typed.inline and item.names <= named and not cue("deduced", item.lead)
+    if new or case or supposing(item) or cue("define", item.lead):
         return None
     return StatementRole(CLAIM, "an equation between what is known", "identity")
 

@@ -463,10 +463,11 @@ RULES: tuple[Rule, ...] = (
     expression, named_set, coordinate_lines, law, partial_equation, radius, solved, constraint,
     reaction, together, unit, bracket_of_momenta, bracket, bracket_of_functions, unjudged,
     inequality, of_named_roots, roots_in_words, happening, kept, unknown, repeated,
-    gives_derivative, special_function, change, roots, of_roots, by_steps, claimed_set, point,
-    tried, of_roots_spoken_of, solution, constant_of_solution, energy, momentum, named_root,
-    normalisation, of_place, on_place, of_levels, in_brackets, one_of_several, otherwise_given,
-    constant, definition, given_anew, square, called_condition, assumption, value, approximate,
-    set_of_rates, of_some_motions, rate, zero_set, level, integral, equation_for_roots, identity, other,
+    gives_derivative, special_function, change, roots, by_steps, claimed_set, point, tried,
+    of_roots_spoken_of, solution, constant_of_solution, energy, momentum, named_root,
+    normalisation, of_place, on_place, of_levels, in_brackets, one_of_several, of_roots,
+    otherwise_given, constant, definition, given_anew, square, called_condition, assumption, value,
+    approximate, set_of_rates, of_some_motions, rate, zero_set, level, integral,
+    equation_for_roots, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
