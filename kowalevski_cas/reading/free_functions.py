@@ -195,11 +195,33 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
                 found[name] = bool(said and _GIVEN.search(said[0]))
     rows = [one.tex for one in formulas if not one.inline and names_under_dots(one.tex)]
     moved = {*_moved(rows)}
-    return {
+    alone = {
         name
         for name, is_given in found.items()
         if any(map(partial(_stands, name, anywhere=is_given), rows)) and name not in moved
     }
+    return alone | _stand_at_time(_parts_of(one.tex for one in formulas), moved, given)
+
+
+def _stand_at_time(
+    parts: Sequence[str], moved: Collection[str], given: Collection[str]
+) -> set[str]:
+    r"""The names at the time in equations of motion of others, as :math:`\ddot x+k^2(t)x=0`.
+
+    Nobody prints the time alone in brackets as a factor. Where such a name has a rate, the equation
+    is one for something else: for what is moved, or given, or stands nowhere at the time and is
+    derived more often.
+    """
+    at = [{name for name, by, _ in _applications(part) if by == (TIME,)} for part in parts]
+    rates = [{name: _order(name, [part]) for name in _rated(part)} for part in parts]
+    others = {*moved, *given}
+    found = {name for own, rated in zip(at, rates, strict=True) if rated for name in own - {*rated}}
+    for rated in rates:
+        for name in found & {*rated}:
+            more = {one for one, order in rated.items() if order > rated[name]}
+            if not {*rated} - {name} & others and more <= set().union(*at):
+                found.remove(name)
+    return found - others
 
 
 def _rated(tex: str) -> set[str]:
@@ -210,9 +232,14 @@ def _rated(tex: str) -> set[str]:
 
 def _moved(texts: Iterable[str]) -> Iterator[str]:
     """The names of which equations say how they move: no rate of another one stands there."""
-    for part in (part for tex in texts for part in _PARTS.split(tex)):
+    for part in _parts_of(texts):
         rated = _rated(part)
         yield from rated if len(rated) == 1 else ()
+
+
+def _parts_of(texts: Iterable[str]) -> list[str]:
+    """The parts of formulas between commas and the like."""
+    return [part for tex in texts for part in _PARTS.split(tex)]
 
 
 def _on(group: str) -> str:
@@ -302,11 +329,14 @@ def _stands(name: str, tex: str, anywhere: bool) -> bool:
 
 _PARTS = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])")
 _DOTS = r"\\(?P<dots>d{1,3})ot(?![A-Za-z])"
+_AT_TIME = r"\s*(?:\\left\s*)?\(\s*t\s*(?:\\right\s*)?\)"
 
 
 def _with_primes(tex: str, name: str) -> str:
     """A formula with the derivatives of a function of the time by primes instead of dots."""
-    dotted = rf"{_DOTS}\s*(?:\{{\s*{re.escape(name)}\s*\}}|{re.escape(name)}(?![A-Za-z]))"
+    dotted = (
+        rf"{_DOTS}\s*(?:\{{\s*{re.escape(name)}\s*\}}|{re.escape(name)}(?![A-Za-z]))(?:{_AT_TIME})?"
+    )
     return re.sub(dotted, lambda found: name + "'" * len(found["dots"]), tex)
 
 

@@ -246,3 +246,49 @@ BODY = r"""With $\mathbf M=(M_1,M_2,M_3)$ and $\mathbf P=(P_1,P_2,P_3)$ Kirchhof
 def test_the_only_function_that_is_considered_is_that_of_the_law(words, green):
     claim = rf"\begin{{theorem}} {words} then $M_3$ is an integral. \end{{theorem}}"
     assert [one.green for one in verdicts(BODY % "We consider" + claim).values()] == [green]
+
+
+OSCILLATOR = (
+    r"""The oscillator \[ \ddot q+\omega^2(t)q=0 \] has $E=\tfrac12(\dot q^2+\omega^2q^2)$. """
+)
+SWING = (
+    r"""The swing moves by \[ \frac{d}{dt}\left(l^2(t)\dot\theta\right)+g\,l(t)\sin\theta=0. \] """
+)
+LARMOR = r"""In a variable field \[ \ddot x=\Omega(t)\dot y+\tfrac12\dot\Omega(t)y,\qquad
+\ddot y=-\Omega(t)\dot x-\tfrac12\dot\Omega(t)x. \] """
+
+
+@pytest.mark.parametrize(
+    ("law", "true", "false"),
+    [
+        (OSCILLATOR, r"\dot E=\omega\dot\omega q^2", r"\dot E=2\omega\dot\omega q^2"),
+        (OSCILLATOR, r"\dddot q=-\omega^2\dot q-2\omega\dot\omega q", r"\dddot q=-\omega^2\dot q"),
+        (
+            SWING,
+            r"\ddot\theta+\frac{2\dot l}{l}\dot\theta+\frac{g}{l}\sin\theta=0",
+            r"\ddot\theta+\frac{\dot l}{l}\dot\theta+\frac{g}{l}\sin\theta=0",
+        ),
+        (
+            LARMOR,
+            r"\frac{d}{dt}\left(x\dot y-y\dot x+\tfrac12\Omega(t)(x^2+y^2)\right)=0",
+            r"\frac{d}{dt}\left(x\dot y-y\dot x+\Omega(t)(x^2+y^2)\right)=0",
+        ),
+    ],
+)
+def test_what_stands_at_the_time_in_equations_for_something_else_is_any_function(law, true, false):
+    assert [one.green for one in verdicts(rf"{law} Then \[ {true}. \]").values()] == [True]
+    assert not any(one.green for one in verdicts(rf"{law} Then \[ {false}. \]").values())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"The rocket moves by \[ m(t)\dot v=-u\dot m. \] Hence \[ \dot v=0. \]",
+        r"Let \[ \dot x=y(t)z(t),\qquad \dot y+\dot z=0,\qquad \dot y-\dot z=x. \] Then $xy$ is constant.",
+        r"Let \[ \ddot x=a(t),\qquad a(t)=kt. \] Then \[ \dddot x=a. \]",
+        r"Let \[ \ddot x=a^2(x+t). \] Then \[ \dddot x=a^2. \]",
+    ],
+)
+def test_what_moves_or_is_given_or_a_factor_is_none_at_the_time(text):
+    assert not reading(text).paper.functions
+    assert not any(one.green for one in verdicts(text).values())
