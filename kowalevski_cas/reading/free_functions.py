@@ -36,12 +36,15 @@ _RATE = re.compile(
     rf"|{_D}(?:\s*\^\s*\d)?\s*(?P<of>{NAME})\s*/\s*{_D}\s*t"
 )
 """A rate that is printed as a quotient."""
-_WORDS = r"\\(?:begin|end|label|tag|text|mathrm|mathbf|boldsymbol|operatorname\*?)\s*\{[^{}]*\}"
+_WORDS = (
+    r"\\(?:begin|end|label|tag|text|mathrm|mathbf|boldsymbol|operatorname\*?)\s*\{[^{}]*\}"
+    r"|\\\\\s*\[[^\]]*\]"
+)
 _RUN = re.compile(rf"{_WORDS}|\\[A-Za-z]+|[A-Za-z](?=[A-Za-z])")
 """A letter right before another one, which is a factor; or a macro, which is a whole."""
 _TYPES = (
     r"\\(?:(?:wide)?(?:tilde|hat)|bar|(?:over|under)line|check|breve|vec|math[a-z]+|boldsymbol"
-    r"|cal|bf)"
+    r"|cal|bf)(?![A-Za-z])"
 )
 """What makes another name of a letter."""
 _SECTION = re.compile(r"\\(?:section|chapter)\s*\*?\s*(?:\[[^\]]*\])?\s*\{")
@@ -200,7 +203,13 @@ def _told_of_time(formulas: Sequence[TypedFormula], text: str) -> set[str]:
         for name, is_given in found.items()
         if any(map(partial(_stands, name, anywhere=is_given), rows)) and name not in moved
     }
-    return alone | _stand_at_time(_parts_of(one.tex for one in formulas), moved, given)
+    general = {
+        name
+        for place, one in enumerate(formulas)
+        for name in _given(_apart(one.tex))
+        if not _is_special(name, place, formulas, text)
+    }
+    return alone | _stand_at_time(_parts_of(one.tex for one in formulas), moved, general)
 
 
 def _stand_at_time(
@@ -219,7 +228,7 @@ def _stand_at_time(
     for rated in rates:
         for name in found & {*rated}:
             more = {one for one, order in rated.items() if order > rated[name]}
-            if not {*rated} - {name} & others and more <= set().union(*at):
+            if not ({*rated} - {name}) & others and more <= set().union(*at):
                 found.remove(name)
     return found - others
 
@@ -327,7 +336,7 @@ def _stands(name: str, tex: str, anywhere: bool) -> bool:
     return any(one[:2] == (name, (TIME,)) for one in _applications(tex))
 
 
-_PARTS = re.compile(r"[,;]|\\\\|\\q?quad(?![A-Za-z])")
+_PARTS = re.compile(r"(?<!\\)[,;]|\\\\|\\q?quad(?![A-Za-z])")
 _DOTS = r"\\(?P<dots>d{1,3})ot(?![A-Za-z])"
 _AT_TIME = r"\s*(?:\\left\s*)?\(\s*t\s*(?:\\right\s*)?\)"
 
@@ -387,13 +396,14 @@ _PARTIAL = re.compile(rf"\\partial\s*(?P<name>{NAME})")
 _LABEL = r"(?:\\item(?:\s*\[[^\]]*\])?|\(?\w{1,4}\))"
 """How the entry of a list is called, or what begins with it."""
 _SPECIAL = re.compile(
-    r"\b(?:examples?|instance|cases?|special|particular|consider|if|when|for)\b"
-    r"|\b(?:рассмотрим|например|частн\w+|случа\w+|если|при|когда)\b",
+    r"\b(?:examples?|instance|cases?|special|particular|consider|if|when|for|let|take|put|choose)\b"
+    r"|\b(?:рассмотрим|например|частн\w+|случа\w+|если|при|когда|для|пусть|возьм[её]м|положим)\b",
     re.IGNORECASE,
 )
 """Words for one of many functions."""
 CONSIDER = re.compile(
-    r"\b(?:consider|рассмотрим)(?:\s+\w+){0,3}[\s:~]*(?:\\begin\W.*)?$", re.IGNORECASE
+    r"\b(?:consider|рассмотрим)(?:\s+\w+){0,3}[\s:~]*(?:\\begin\W.*|\\\[\s*|\$\$\s*)?$",
+    re.IGNORECASE,
 )
 """How words end behind which a function is given that is not called an example of several."""
 _EXAMPLE = re.compile(r"\b(?:examples?|instance|case|например|пример\w*|случа\w+)\b", re.IGNORECASE)
@@ -405,7 +415,7 @@ So many partial derivatives are enough.
 """
 
 
-_STOP = re.compile(r"[.;!?]\s|[.;!?]\s*\\end\s*\{\w+\*?\}|\n\n")
+_STOP = re.compile(r"[.;!?]\s|[.;!?]\s*(?:\\end\s*\{\w+\*?\}|\$\$|\\\])|\n\n")
 _FOOTNOTE = re.compile(r"\\footnote\s*\{(?:[^{}]|\{[^{}]*\})*\}")
 
 

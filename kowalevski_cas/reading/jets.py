@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from functools import reduce
 
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Name, Partial, Relation, to_latex
 from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.paper.scene import Scene
@@ -13,6 +14,7 @@ from kowalevski_cas.reading.free_functions import CONSIDER, is_of_case, names_of
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known, StatementRole
 from kowalevski_cas.reading.phrases import reach_of_constants
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
+from kowalevski_cas.reading.unprinted import unprinted
 
 OF_FUNCTIONS = (Identity, FirstIntegral)
 """What is claimed where a function may be any: no dependence of several, and no set."""
@@ -44,11 +46,35 @@ def special_function(item: SourceStatement, known: Known) -> StatementRole | Non
     by = [{*one.by, *known.names.scalars(one.by)} for one in every if one.name == name]
     if by and not any({*known.varying(item.members[1].names())} <= one for one in by):
         return None
+    if not (by or _is_of_law(name, item, known)):
+        return None
+    reach = "" if _begins_section(item, known) else reach_of_constants(item)
     why = f"one of the functions that {name} may be"
-    if _is_of_law(name, item, known):
-        kind = f"{FUNCTION} {reach_of_constants(item)}".strip()
-        return StatementRole(ASSUMPTION, why, kind, (name,))
-    return StatementRole(DEFINITION, why) if by else None
+    return StatementRole(ASSUMPTION, why, f"{FUNCTION} {reach}".strip(), (name,))
+
+
+def derivatives_of(
+    special: SourceStatement, names: Collection[str], known: Known
+) -> dict[str, SourceStatement]:
+    """The derivatives of a function by its argument that some names are, where it is special."""
+    (name,) = known.roles[special].names
+    values = [value for value in special.members if value != Name(name)]
+    found: dict[str, SourceStatement] = {}
+    for by in (one.by[0] for one in known.functions.get(name, ()) if len(one.by) == 1):
+        orders = {n: len(n) - len(name) for n in names if n.rstrip("'") == name != n}
+        for derived, order in orders.items():
+            value = reduce(Partial, [by] * order, values[0])
+            tex = to_latex(Relation((Name(derived), value), ("=",)))
+            id = f"{special.printed.display.id}-derivative-{order}"
+            found[derived] = unprinted(known.paper, id, tex, special)
+    return found
+
+
+def _begins_section(item: SourceStatement, known: Known) -> bool:
+    """Whether a section begins with the sentence of a statement: then it is about its case."""
+    before = (one.sections[-1] for one in known.items if one.order < item.order)
+    within = len(item.sections) > 1 and item.sections[-1] not in before
+    return within and item.before == item.lead
 
 
 def _is_of_law(name: str, item: SourceStatement, known: Known) -> bool:

@@ -183,7 +183,7 @@ class Known:
             if item.formula is None:
                 with suppress(NotationError, IndexError):
                     found |= {called(name) for name in item.printed.heads.names}
-        return frozenset(found - {one.other_time for one in self.clocks})
+        return frozenset(found - {one.other_time for one in self.clocks} - {*self.functions})
 
     def enter(self, item: SourceStatement, role: StatementRole) -> None:
         """Keep what a statement says."""

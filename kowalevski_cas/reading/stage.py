@@ -41,6 +41,7 @@ from kowalevski_cas.paper.signs import is_inequality
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.forces import refuse_unsaid_forces
 from kowalevski_cas.reading.free_functions import TIME, names_of, with_free_functions
+from kowalevski_cas.reading.jets import derivatives_of
 from kowalevski_cas.reading.kinematics import has_bracket, is_free, refuse_dynamics
 from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, FUNCTION, Known
 from kowalevski_cas.reading.law import Law
@@ -248,6 +249,8 @@ class Stage:
             return closure
         more = self._closure(special, closure.law)
         given = {name: one for one in special for name in self.known.roles[one].names}
+        for one in special:
+            given |= derivatives_of(one, closure.names, self.known)
         definitions = {**more.definitions, **closure.definitions, **given}
         return _Closure(closure.law, closure.names | more.names, definitions, closure.stated)
 

@@ -106,12 +106,60 @@ GENERAL = (
     ],
 )
 def test_what_holds_for_an_example_is_claimed_of_no_other_function(words, claim):
-    """General claims before an example hold for all functions, and what it gives is not judged."""
+    """General claims before an example hold for all functions, those behind it for the example."""
     found = verdicts(GENERAL.format("", words, claim))
     assert [one.green for one in found.values()][:2] == [True, True]
-    assert not any(one.green for one in [*found.values()][2:])
+    assert Verdict.REFUTED not in found.values()
     found = verdicts(GENERAL.format(f"Hence {claim}.", words, r"$\dot E=E$"))
     assert not any(one.green for one in [*found.values()][2:])
+
+
+@pytest.mark.parametrize(
+    ("words", "true", "false"),
+    [
+        (r"For example, let $U(x)=\tfrac12kx^2$.", r"$\ddot x=-kx$", r"$\ddot x=-2kx$"),
+        (r"\paragraph{Fall.} Let now $U(x)=gx$.", r"$\ddot x=-g$", r"$\ddot x=g$"),
+        (r"Пусть теперь $U(x)=gx$.", r"$\ddot x=-g$", r"$\ddot x=-gx$"),
+        (r"Take $U(x)=\cos x$.", r"$\dddot x=\dot x\cos x$", r"$\dddot x=\dot x\sin x$"),
+        (r"\section{Gravity} For $U(x)=gx$ the fall is free.", r"$\ddot x=-g$", r"$\ddot x=0$"),
+    ],
+)
+def test_an_example_is_supposed_of_what_follows(words, true, false):
+    assert [one.green for one in verdicts(GENERAL.format("", words, true)).values()] == [True] * 3
+    assert not [*verdicts(GENERAL.format("", words, false)).values()][-1].green
+
+
+def test_another_example_takes_its_place_and_a_new_section_ends_it():
+    fall, spring = r"\subsection{Fall} Let $U(x)=gx$.", r"\subsection{Spring} Let $U(x)=kx^2$."
+    words = rf"{fall} Then $\ddot x=-g$. {spring} Then $\ddot x=-2kx$. Then $\dddot x=0$."
+    found = [*verdicts(GENERAL.format("", words, r"$x=x$")).values()]
+    assert [one.green for one in found[2:5]] == [True, True, False]
+    found = verdicts(GENERAL.format("", fall, r"$x=x$ \subsection{All} Then $\dddot x=0$"))
+    assert not found[r"\dddot x=0"].green
+
+
+SURFACE = r"""A particle on a surface of revolution, \[ \mathbf X(u,v)=(f(u)\cos v,f(u)\sin v,g(u)), \]
+moves by \[ \begin{cases} \ddot u-f(u)f'(u)\dot v^2=0,\\[4pt] \ddot v+\dfrac{2f'(u)}{f(u)}\dot u\dot v=0.
+\end{cases} \] The prime is the derivative with respect to $u$. """
+
+
+@pytest.mark.parametrize(
+    ("claim", "green"),
+    [
+        (r"The quantity \[ f(u)^2\dot v \] is constant.", True),
+        (r"The quantity \[ \dot u^2+f(u)^2\dot v^2 \] is constant.", True),
+        (r"The quantity \[ f(u)\dot v \] is constant.", False),
+        (r"Hence \[ f^2\ddot v+2ff'\dot u\dot v=0. \]", True),
+        (r"Hence \[ f^2\ddot v+ff'\dot u\dot v=0. \]", False),
+    ],
+)
+def test_the_radius_of_a_surface_of_revolution_is_any_function(claim, green):
+    assert [*verdicts(SURFACE + claim).values()][-1].green == green
+
+
+def test_a_value_at_a_number_leaves_the_function_what_it_is():
+    text = SURFACE + r"Let $c=f(u_0)$. The quantity \[ f(u)^2\dot v \] is constant."
+    assert [*verdicts(text).values()][-1].green
 
 
 def test_a_function_that_is_given_is_not_any():
