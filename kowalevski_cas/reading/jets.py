@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping
 from functools import reduce
 
 from kowalevski_cas.notation import Name, Partial, Relation, to_latex
-from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity
+from kowalevski_cas.paper.claims import Claim, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.implied import HAMILTONIANS, LAGRANGIANS
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.reading.cues import cue
@@ -16,16 +16,20 @@ from kowalevski_cas.reading.phrases import reach_of_constants
 from kowalevski_cas.reading.statements import SourceStatement, derived_names
 from kowalevski_cas.reading.unprinted import unprinted
 
-OF_FUNCTIONS = (Identity, FirstIntegral)
-"""What is claimed where a function may be any: no dependence of several, and no set."""
+OF_FUNCTIONS = (Identity, Implication, FirstIntegral)
+"""What is claimed where a function may be any: no dependence of several, and no set.
+
+An equation may be given: where it holds, values and derivatives of functions are any that obey it.
+"""
 
 
 def refuse_of_functions(kind: type[Claim], claim: Mapping[str, object], scene: Scene) -> None:
     """Claim equations and integrals only where functions may be any.
 
-    Raises ``ValueError`` for a claim of another kind, as of a set, or of what holds on one.
+    Raises ``ValueError`` for a claim of another kind, as of a set, or of an integral on one.
     """
-    if scene.jets and (kind not in OF_FUNCTIONS or claim.get("given")):
+    on_set = kind is not Implication and claim.get("given")
+    if scene.jets and (kind not in OF_FUNCTIONS or on_set):
         raise ValueError(f"it is not judged where {scene.jets[0][0]} may be any function")
 
 

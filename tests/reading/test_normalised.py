@@ -64,3 +64,47 @@ def test_it_holds_in_later_sections_but_for_light():
 def test_nothing_is_refuted_where_none_is_printed():
     found = verdicts(METRIC + "As the proper time is the parameter, " + RADIAL)
     assert [*found.values()][-1] is Verdict.UNDECIDED
+
+
+SURFACE = r"""Geodesics of the metric with $E=1$ and $G=f(u)^2$ obey \[ \ddot u=f(u)f'(u)\dot v^2,\qquad
+\ddot v+\frac{2f'(u)}{f(u)}\dot u\dot v=0 . \] The quantity \[ c=f(u)^2\dot v \] is constant. """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Since the parameter is the arc length, we have besides",
+        "As the geodesic is parametrised by its arc length, one has",
+        "The parameter of the curve is its arc length, hence",
+        "Поскольку параметр есть длина дуги, имеем",
+    ],
+)
+def test_curves_by_their_length_have_unit_tangents(words):
+    given = rf"{words} \[ \dot u^2+f(u)^2\dot v^2=1, \] and therefore "
+    for law, green in ((r"\frac{c^2}{f(u)^2}", True), (r"\frac{c^2}{f(u)}", False)):
+        text = SURFACE + given + rf"\[ \dot u^2+{law}=1 . \]"
+        *_, found = verdicts(text).values()
+        assert found.green == green and found is not Verdict.REFUTED
+
+
+def test_the_profile_by_its_length_has_a_unit_tangent():
+    text = (
+        r"The curve $(f,g)$ is parametrised by its arc length, \[ f'(u)^2+g'(u)^2=1 . \] " + SURFACE
+    )
+    assert r"f' ^2+g' ^2=1" not in verdicts(text)
+    for slope, green in ((r"g'(u)^2", True), (r"g'(u)", False)):
+        claim = rf"Hence \[ \ddot u^2=f(u)^2\dot v^4\left(1-{slope}\right) . \]"
+        assert [*verdicts(text + claim).values()][-1].green == green
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"Since the parameter is the arc length, we find \[ f(u)\ddot v=1 . \]",
+        r"Since the parameter is the arc length, we have \[ \dot u^2+f(u)^2\dot v^2=1, \] "
+        r"and the elimination of $\dot v$ leads to \[ \dot u^2+\frac{c^2}{f(u)}=1 . \]",
+    ],
+)
+def test_what_else_is_said_of_such_curves_is_claimed(text):
+    *_, found = verdicts(SURFACE + text).values()
+    assert not found.green
