@@ -3,7 +3,7 @@ r"""The independent variable by another letter than t: with :math:`d/dx` alone, 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.reading.operators import (
@@ -21,7 +21,8 @@ from kowalevski_cas.reading.operators import (
 from kowalevski_cas.source.displays import TypedFormula
 
 _TOKEN = re.compile(
-    r"\\(?:begin|end|label|tag|text|mbox|operatorname\*?)\s*\{[^{}]*\}|\\[A-Za-z]+|\\.|.", re.DOTALL
+    r"\\\\\s*\[[^\]]*\]|\\(?:begin|end|label|tag|text|mbox|operatorname\*?)\s*\{[^{}]*\}|\\[A-Za-z]+|\\.|.",
+    re.DOTALL,
 )
 _DOT = re.compile(r"\\d{1,4}ot(?![A-Za-z])")
 _PRIME = re.compile(r"'|\\prime")
@@ -31,7 +32,8 @@ _PRIME_ALONE = re.compile(r"[\s{}(^\\cdot]*(?:'|\\prime)[\s})]*")
 def _by_mark(english: str, russian: str) -> re.Pattern[str]:
     """How words say by what a mark derives; a sign is the formula for it."""
     derives = rf"{DERIVATIVE}s?{BY}§"
-    derived = r"(?:производн\w+|дифференцировани\w+)\s+по\s+(?:переменн\w+\s+)?§"
+    of = r"(?:переменн\w+\s+|параметру\s+|длине\s+дуги\s+)?"
+    derived = rf"(?:производн\w+|дифференцировани\w+)\s+по\s+{of}§"
     return re.compile(
         rf"\b{english}\b[^.§]{{0,30}}?\b{derives}|\b{derives}[^.§]{{0,40}}?\b{english}\b"
         rf"|\b{russian}[^.§]{{0,40}}?\b{derived}|\b{derived}[^.§]{{0,40}}?\b{russian}",
@@ -203,6 +205,28 @@ def _parameter(formulas: Sequence[TypedFormula], text: str) -> str:
     letters = ({*_said_of_dots(formulas, text)} or ratios) - {TIME}
     moved = {one for one in letters if any(_is_other(t, one) or _has_dot(t, one) for t in texts)}
     return letters.pop() if len(letters) == 1 and not moved else ""
+
+
+def with_time_of_dots(formulas: Iterable[TypedFormula], text: str) -> Iterator[TypedFormula]:
+    r"""The formulas with derivatives by t for those by the letter by which dots derive.
+
+    So words make :math:`\frac{d}{ds}` of a geodesic what a dot is. No t stands in the paper then.
+    """
+    formulas = [*formulas]
+    texts = [one.tex for one in formulas]
+    letter = "" if any(TIME in _TOKEN.findall(tex) for tex in texts) else _parameter(formulas, text)
+    said = letter and letter in _said_of_dots(formulas, text) and any(map(_DOT.search, texts))
+    for formula in formulas:
+        tex = RATIO_BY.sub(lambda one: _by_time(one, letter), formula.tex) if said else formula.tex
+        yield formula if tex == formula.tex else replace(formula, tex=tex)
+
+
+def _by_time(ratio: re.Match[str], letter: str) -> str:
+    """What follows the numerator of a derivative, by the time if it is one by a letter."""
+    if by_of(ratio) != letter:
+        return ratio[0]
+    start, end = ratio.span("by" if ratio["by"] else "below")
+    return f"{ratio[0][: start - ratio.start()]} {TIME}{ratio[0][end - ratio.start() :]}"
 
 
 def _has_dot(tex: str, name: str) -> bool:

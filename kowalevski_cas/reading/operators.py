@@ -35,8 +35,9 @@ DERIVATIVE = (
     r"(?:derivative|differentiation|derivation)(?:\s+operator)?"
 )
 BY = (
-    r"\s+(?:with\s+respect\s+to|in|by)(?:\s+(?:the|variable|physical|new|independent|polar|azimuthal"
-    r"|angle|angular|true|eccentric|anomaly|longitude|coordinate|parameter|argument))*\s*"
+    r"\s+(?:with\s+respect\s+to|in|by)(?:\s+(?:the|its|variable|physical|new|independent|affine"
+    r"|polar|azimuthal|angle|angular|true|eccentric|anomaly|longitude|coordinate|parameter"
+    r"|argument|arc[\s-]*length|proper\s+time))*\s*"
 )
 _SAID = re.compile(
     r"[\s,~]*(?:(?:denotes?|be|is|means|stands\s+for|for|being|as)\s+)?(?:the\s+)?"

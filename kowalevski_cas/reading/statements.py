@@ -48,6 +48,7 @@ from kowalevski_cas.reading.independent import (
     other_variable,
     with_coordinate_time,
     with_time,
+    with_time_of_dots,
 )
 from kowalevski_cas.reading.index_ranges import period_in, with_ranges, with_values
 from kowalevski_cas.reading.initially import moving_names, time_of_value, with_initial_values
@@ -352,7 +353,7 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     has_coordinate_time, typed = timed != typed, timed
     variable = independent_variable(typed, expanded.text)
     other = other_variable(typed, expanded.text)
-    typed = [*with_time(typed, variable, other[0])]
+    typed = [*with_time_of_dots(with_time(typed, variable, other[0]), expanded.text)]
     typed = [*with_exponentials([*with_own_names(typed)])]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     named = [*without_set_names(typed)]

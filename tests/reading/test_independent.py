@@ -193,3 +193,28 @@ def test_what_it_gives_defines_nothing():
 def test_an_equation_of_a_curve_is_a_law_of_its_own(text, right, wrong):
     assert [one.green for one in verdicts(text % right).values()] == [True]
     assert [*verdicts(text % wrong).values()] == [Verdict.REFUTED]
+
+
+GEODESIC = r"""The geodesics of a surface of revolution obey \[ \begin{cases} \ddot u=f(u)f'(u)\dot v^2,\\[4pt]
+\ddot v+\dfrac{2f'(u)}{f(u)}\dot u\dot v=0. \end{cases} \] %s Hence """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "The dot stands for the derivative with respect to the arc length $s$ of the geodesic.",
+        "Dots denote derivatives with respect to $s$.",
+        "Here the dot means $d/ds$.",
+        "Точка обозначает производную по длине дуги $s$.",
+    ],
+)
+def test_dots_derive_by_what_words_say_and_so_do_quotients(words):
+    for factor, green in (("f^2", True), ("f", False)):
+        claim = rf"\[ \frac{{\mathrm{{d}}}}{{\mathrm{{d}}s}}\left({factor}\dot v\right)=0. \]"
+        assert [one.green for one in verdicts(GEODESIC % words + claim).values()] == [green]
+
+
+@pytest.mark.parametrize("words", ["", "Dots denote derivatives with respect to the time $t$."])
+def test_quotients_by_another_letter_are_no_dots(words):
+    claim = r"\[ \frac{d}{ds}\left(f^2\dot v\right)=0. \]"
+    assert not any(one.green for one in verdicts(GEODESIC % words + claim).values())
