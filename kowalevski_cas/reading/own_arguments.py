@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from kowalevski_cas.paper.chains import NAME, names_in
+from kowalevski_cas.paper.chains import NAME, RATE, names_in
 from kowalevski_cas.reading.initially import moving_names
 from kowalevski_cas.source.displays import TypedFormula
 
@@ -19,6 +19,8 @@ _AT_TIME = re.compile(r"\s*(?:\\left\s*)?\(\s*t\s*(?:\\right\s*)?\)\s*$")
 _VALUE = re.compile(r",|^\s*(?:\d+|t_\w|t_\{\w+\})\s*$")
 """What is no factor in brackets, but an argument."""
 _PRIMED = re.compile(rf"(?<![A-Za-z\\])({NAME})\s*'+\s*&?\s*=")
+_IS_RATE = re.compile(rf"\s*({NAME})\s*&?=\s*(?:[A-Za-z]\s*)?{RATE}[\s.,;]*")
+"""What is a rate, or a multiple of one, as a momentum is."""
 _GIVES = re.compile(r"^\s*(?:\\(?:begin|label)\s*\{[^{}]*\}\s*)*&?\s*")
 
 
@@ -30,6 +32,7 @@ def with_own_names(formulas: Sequence[TypedFormula]) -> Iterator[TypedFormula]:
     """
     texts = [one.tex for one in formulas]
     moving = moving_names(formulas) | {name for tex in texts for name in _PRIMED.findall(tex)}
+    moving |= {found[1] for tex in texts if (found := _IS_RATE.fullmatch(tex))}
     given: dict[str, frozenset[str]] = {}
     for tex in texts:
         found = _APPLIED.match(tex, len(tex) - len(_GIVES.sub("", tex, count=1)))

@@ -382,8 +382,22 @@ _REASON = re.compile(
 def _denial(item: SourceStatement, known: Known) -> str:
     """The words beside a statement, or in the sentence behind it, that deny it, or compare it."""
     spared = _explains(item) or (_NOR.search(item.lead) and said_again(item, "integral"))
-    said = "" if spared else cue("denied", clause(item)) or _denied_with_others(item)
+    said = "" if spared else cue("denied", _same_clause(item)) or _denied_with_others(item)
     return said or cue("compared", item.lead) or _denied_behind(item, known)
+
+
+_WITH = re.compile(r"(?<=;)[^;]*\b(?:with|where|putting|при|где|полагая)[\s~$]*$", re.IGNORECASE)
+"""How words end behind another clause before what is named."""
+
+
+def _same_clause(item: SourceStatement) -> str:
+    """The words right around a statement, without a clause before that says something of others.
+
+    So “the momentum is not conserved; with :math:`E=T+U`” says nothing of E.
+    """
+    words = clause(item)
+    given = _WITH.search(words.partition("§")[0])
+    return words[given.start() :] if given else words
 
 
 _NOR = re.compile(r"\b(?:neither|nor)\s+(?:does|do)\b[\w\s]*$", re.IGNORECASE)

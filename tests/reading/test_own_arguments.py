@@ -33,3 +33,12 @@ def test_an_integral_may_name_the_time(right, verdict):
 def test_values_at_other_arguments_are_not_taken_for_it():
     text = LAW + r"Let $\sigma(t)=H(q(t),p(t),t)$. Then \[ H(q,p,0)=\sigma . \]"
     assert not any(one.green for one in verdicts(text).values())
+
+
+@pytest.mark.parametrize(("rate", "green"), [("-ap", True), ("ap", False)])
+def test_an_energy_of_a_place_and_a_momentum_that_is_a_rate(rate, green):
+    text = r"The motion is \[ \ddot q=-q-a. \] The energy is \[ H(q,p,t)=\tfrac12(p^2+q^2), \] "
+    found = verdicts(
+        text + rf"and is not conserved; with $p=\dot q$, \[ \frac{{dH}}{{dt}}={rate}. \]"
+    )
+    assert [one.green for one in found.values()] == [green]
