@@ -13,7 +13,8 @@ from kowalevski_cas.paper.initial_values import at_any_time, at_the_beginning, n
 from kowalevski_cas.reading.cues import cue, last_cue
 from kowalevski_cas.source.displays import TypedFormula
 
-_RATIO = re.compile(rf"frac\s*\{{\s*d(?:\^2)?\s*({NAME})\s*\}}\s*\{{\s*dt")
+_D = r"(?:d|\\mathrm\s*(?:\{\s*d\s*\}|\s+d))"
+_RATIO = re.compile(rf"frac\s*\{{\s*{_D}(?:\^2)?\s*({NAME})\s*\}}\s*\{{\s*{_D}\s*t")
 _START_OF_TIME = re.compile(r"\s*t\s*=\s*(?P<time>0|t_0|t_\{0\})[\s.,;]*")
 
 
