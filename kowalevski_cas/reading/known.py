@@ -474,8 +474,20 @@ class Known:
             )
             or (self.roles[one].kind == "set of the sentence" and one.sentence == item.sentence)
             or (self.roles[one].kind == NAMED_LEVEL and self._has_value(one, item))
-            or (self.roles[one].kind == NORMALISED and last[one.names] is one)
+            or (
+                self.roles[one].kind == NORMALISED
+                and last[one.names] is one
+                and self._has(one, item)
+            )
         ]
+
+    def _has(self, normalised: SourceStatement, item: SourceStatement) -> bool:
+        """Whether a statement has all names of a normalisation that no law has."""
+        mentioned = {name for law in self.laws for name in law.mentions}
+        if normalised.rates or not any("'" in name for name in normalised.names):
+            return True
+        below = {inner for name in item.names for inner in self.below(name)}
+        return normalised.names - mentioned <= below
 
     def _has_value(self, level: SourceStatement, item: SourceStatement) -> bool:
         """Whether the value that a level gives to an integral is spoken of in a statement."""
