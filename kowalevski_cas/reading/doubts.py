@@ -211,6 +211,7 @@ def _is_said_elsewhere(item: SourceStatement, known: Known) -> bool:
         or _is_below_other_energy(item, known)
         or _is_before_its_law(item, known)
         or _is_below_another_value(item, known)
+        or _has_condition_beside(item, known)
         or _is_in_limit(item, known)
         or bool(differentials_of_images(printed))
         or is_of_maps(printed)
@@ -251,6 +252,20 @@ def is_of_a_place(item: SourceStatement, known: Known) -> bool:
     So they do in “at the lowest point the tension is …”.
     """
     return _gives_again(item, known) and AT_TIMES.search(item.before) is not None
+
+
+_MAY_BE_CONDITION = re.compile(
+    r"\\(?:forall|in)(?![A-Za-z])"
+    r"|^(?!.*\\lim(?![A-Za-z])).*\\(?:to|rightarrow|infty)(?![A-Za-z])|^[^=]*$",
+    re.DOTALL,
+)
+"""What is no equation, or tends to something, but for a limit."""
+
+
+def _has_condition_beside(item: SourceStatement, known: Known) -> bool:
+    """Whether something in its display that cannot be read may say where, or of what, it holds."""
+    beside = (one for one in known.items if one.typed is item.typed and one.formula is None)
+    return any(_MAY_BE_CONDITION.search(one.printed.tex) for one in beside)
 
 
 def _is_below_another_value(item: SourceStatement, known: Known) -> bool:
