@@ -22,6 +22,7 @@ from kowalevski_cas.reading.known import (
     CLAIM,
     CONSTRAINT,
     DEFINITION,
+    NOTATION,
     Known,
     StatementRole,
 )
@@ -46,19 +47,25 @@ def constraint(item: SourceStatement, known: Known) -> StatementRole | None:
     """An equation among what moves, beside equations of motion with a multiplier."""
     for law in known.laws:
         if is_constraint(item, law, known):
+            for one in known.paper.alike[item.formula]:
+                if one in known.items and one in known.roles and one in known.bound:
+                    return StatementRole(NOTATION, f"said before, at {one.printed.place}")
             return StatementRole(ASSUMPTION, "a constraint of the motion", CONSTRAINT)
     return None
 
 
 def reaction(item: SourceStatement, known: Known) -> StatementRole | None:
-    """What gives a reaction: it follows from the constraint by which the motion is bound."""
+    """What gives a reaction, or a multiplier: it follows from the constraint of the motion."""
     if len(item.members) != 2 or not item.bare or item.members[0] != Name(item.bare[0]):
         return None
     bound = [
         one for one in known.items if one in known.roles and known.roles[one].kind == CONSTRAINT
     ]
     for law in known.laws if bound else ():
-        names = reactions([*law.rows, *_surplus(law, known)], known.items)
+        names = {*reactions([*law.rows, *_surplus(law, known)], known.items)}
+        beside = any(row.sentence == item.sentence for row in law.rows)
+        if not (beside or cue("where", item.lead)):  # else the law has it from there
+            names |= {*_multipliers(law, known)}
         if item.bare[0] in names and any(is_constraint(one, law, known) for one in bound):
             why = f"gives {plain(item.bare[0])}, which a constraint determines"
             return StatementRole(CLAIM, why, "identity")

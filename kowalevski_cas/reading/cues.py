@@ -209,8 +209,9 @@ CUES: dict[str, str] = {
         соотношени\w+ поверхност\w+ множеств\w+ уровен\w+""",
     "constraint": r"""
         constrain\w+
-        (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\b
-        (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*
+        (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}on\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|parabol\w+|ellipse|ellipsoid|cylinder|cone|cycloid|helix|wire|hoop)\b
+        (?:lie|stay|move|remain|slide)s?\s+(?:\w+\s+){0,2}along\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:circle|curve|line|parabola|ellipse|cycloid|helix|wire|hoop)\b
+        (?:движ|скольз)\w+\s+(?:\w+\s+){0,2}по\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|парабол|эллипс|цилиндр|конус|циклоид|проволок)\w*
         (?:\bon|\b(?:bound|confined|tied|attached)\s+to)\s+(?:the|an?)\s+(?:\w+\s+){0,4}(?:sphere|circle|surface|curve|line|paraboloid|ellipsoid|cylinder|cone)\s*$
         \bна\s+(?:\w+\s+){0,2}(?:сфер|окружност|поверхност|крив|параболоид|эллипсоид|цилиндр|конус)\w*\s*$
         connected\s+by subject\s+to связ(?:ь|и|ью|ями)\b стеснен\w+""",

@@ -216,6 +216,9 @@ def definition(item: SourceStatement, known: Known) -> StatementRole | None:
         why = f"“{said}” gives what was general before"
         return StatementRole(ASSUMPTION, why, reach_of_constants(item), tuple(fresh))
     if len(others) == 1 and isinstance(others[0], Derivative) and not _is_law_left(item):
+        if said := words_behind(item, "integral"):
+            why = f"“{said}” stands beside it; it names {plain(fresh[0])}"
+            return StatementRole(CLAIM, why, "integral", tuple(fresh))
         return StatementRole(LEVEL, f"names the rate {plain(fresh[0])}", "", tuple(fresh))
     if role := _integral_that_defines(item, known, fresh) or _constant(item, known, fresh):
         return role

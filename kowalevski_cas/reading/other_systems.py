@@ -8,6 +8,8 @@ from collections.abc import Collection, Sequence
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
 from kowalevski_cas.reading.printed_rates import PrintedRates, is_averaged
+from kowalevski_cas.reading.reactions import constrains
+from kowalevski_cas.reading.rows import binds_velocities
 from kowalevski_cas.reading.statements import SourceStatement
 
 _FOLLOWS = re.compile(
@@ -81,7 +83,7 @@ def _giving(
 ) -> list[SourceStatement]:
     r"""What gives, below the same heading, what a row derives by what others beside it do.
 
-    So does :math:`r=a(1-e\cos E)` before rates of E and r.
+    So does :math:`r=a(1-e\cos E)` before rates of E and r; a constraint does not.
     """
     moving = {name for one in beside if one is not row for name in one.rates} - {*row.rates}
     headed = [one for one in row.sections if not one.is_run_in]
@@ -90,6 +92,7 @@ def _giving(
         for name in row.rates
         for one in rates.defining.get(name, ())
         if one.order < row.order
+        and not constrains(one, row, beside)
         and [part for part in one.sections if not part.is_run_in] == headed
         and not moving.isdisjoint(one.names - {name})
     ]
@@ -144,8 +147,12 @@ def _is_of_new_constants(
 
 
 def _begins(rates: PrintedRates, row: SourceStatement, heading: int) -> int:
-    """Where another system begins: at its heading, unless rates stand between, as of this."""
-    between = any(one.rates for one in _since(rates, heading, row) if one.typed is not row.typed)
+    """Where another system begins: at its heading, unless rates stand between, as of this.
+
+    Those of constraints of velocities are its own.
+    """
+    since = (one for one in _since(rates, heading, row) if one.typed is not row.typed)
+    between = any(one.rates and not binds_velocities(one, rates.rows) for one in since)
     return row.sentence[0] if between else heading
 
 

@@ -18,7 +18,13 @@ from kowalevski_cas.reading.named_values import named_values
 from kowalevski_cas.reading.names import Names
 from kowalevski_cas.reading.permuted import permuted_rows
 from kowalevski_cas.reading.polar import length_given
-from kowalevski_cas.reading.reactions import have_multiplier, is_bound, is_reacting, reactions
+from kowalevski_cas.reading.reactions import (
+    constrains,
+    have_multiplier,
+    is_bound,
+    is_reacting,
+    reactions,
+)
 from kowalevski_cas.reading.rows import (
     binds_velocities,
     highest_order,
@@ -239,6 +245,7 @@ class PrintedRates:
             for name in {*row.rates, *map(self.names.whole, row.rates)}
             for one in self.defining.get(name, ())
             if name in row.rates or not isinstance(one.members[1], Vector)
+            if not constrains(one, row, self.rows)
         )
 
     def undefined(self, since: int) -> list[SourceStatement]:

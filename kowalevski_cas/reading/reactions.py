@@ -12,6 +12,8 @@ from collections.abc import Collection, Iterable, Sequence
 from kowalevski_cas.notation import Name, Negative, Sum
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.constraints import MULTIPLIERS
+from kowalevski_cas.reading.cues import cue
+from kowalevski_cas.reading.rows import BINDING
 from kowalevski_cas.reading.statements import SourceStatement
 
 LETTERS = ("T", "N", "F", "f", "S", "R")
@@ -55,7 +57,8 @@ def is_reacting(one: SourceStatement, row: SourceStatement) -> bool:
     That is one of its display, or sentence, as in :math:`m\ddot x=R,\ I\ddot\varphi=M-aR`; one of
     them gives an acceleration.
     """
-    forces = {name for name in row.bare if one.typed is row.typed or symbol(name).letter in LETTERS}
+    letters = (*LETTERS, *MULTIPLIERS)
+    forces = {name for name in row.bare if one.typed is row.typed or symbol(name).letter in letters}
     orders = {*one.rates.values(), *row.rates.values()}
     return (
         one.sentence == row.sentence
@@ -74,6 +77,20 @@ def have_multiplier(one: SourceStatement, other: SourceStatement) -> bool:
     shared = (one.names & other.names) - rated
     apart = {*one.rates}.isdisjoint(other.rates)
     return apart and any(symbol(name).letter in MULTIPLIERS for name in shared)
+
+
+def constrains(one: SourceStatement, row: SourceStatement, rows: Iterable[SourceStatement]) -> bool:
+    r"""Whether what gives a coordinate is a constraint, as :math:`z=x^2/2p`, and no other name.
+
+    A row for it has a multiplier with others of its sentence. Words speak of a constraint, or of
+    multipliers, or it ends the display of these rows.
+    """
+    beside = [other for other in rows if other.sentence == row.sentence and other is not row]
+    second = [other for other in beside if {*other.rates.values()} == {2}]
+    pulled = {*row.rates.values()} == {2} and any(have_multiplier(row, other) for other in second)
+    ends = one.typed is row.typed and one.order > max((r.order for r in (row, *beside)), default=0)
+    said = any(cue(name, one.lead) for name in BINDING) or cue("multiplier", row.words)
+    return pulled and not one.rates and bool(ends or said)
 
 
 def is_bound(

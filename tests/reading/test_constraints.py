@@ -252,3 +252,69 @@ def test_a_constraint_of_a_later_section_holds_nowhere_before():
     \[ma^2\ddot\varphi=-mga\sin\varphi+\lambda a,\qquad J\ddot\theta=-\lambda r .\]"""
     found = verdicts(law + later)
     assert next(iter(found.values())).green
+
+
+THREAD = r"""A heavy particle is subject to the constraint $$x^2+y^2=l^2.$$ Its equations of motion are
+$$m\ddot x=2\lambda x,\qquad m\ddot y=2\lambda y-mg.$$ """
+WIRES = [
+    r"A bead slides on the curve $y=kx^3$. We have \begin{align} m\ddot x&=-3k\lambda x^2,\\ m\ddot y&=\lambda-mg, \end{align} hence ",
+    r"Бусинка скользит по кривой $y=kx^3$. Имеем $$m\ddot x=-3k\lambda x^2,\quad m\ddot y=\lambda-mg,\quad y=kx^3,$$ откуда ",
+    r"With a multiplier $$m\ddot x=-3k\lambda x^2,\quad m\ddot y=\lambda-mg,\quad y=kx^3,$$ hence ",
+]  # fmt: skip
+HEADINGS = [r"\paragraph{%s}", "\n\n\\textbf{%s}", "\n\n\\noindent{\\bf %s}", r"\subsection{%s}"]
+
+
+@pytest.mark.parametrize(("g", "true"), [("3g", True), ("2g", False)])
+@pytest.mark.parametrize("wire", WIRES)
+def test_a_coordinate_that_others_give_is_bound_beside_a_multiplier(wire, g, true):
+    found = verdicts(wire + rf"$$(1+9k^2x^4)\ddot x+18k^2x^3\dot x^2+{g}kx^2=0.$$")
+    assert [one.green for one in found.values()] == [true]
+
+
+@pytest.mark.parametrize("heading", HEADINGS)
+def test_below_another_heading_a_constraint_binds_another_motion(heading):
+    first = heading % "1. A pendulum." + THREAD
+    text = first + heading % "2. A wire." + WIRES[0]
+    found = reading(text + r"$$(1+9k^2x^4)\ddot x+18k^2x^3\dot x^2+3gkx^2=0.$$")
+    assert judged(text + r"$$(1+9k^2x^4)\ddot x+18k^2x^3\dot x^2+3gkx^2=0.$$")[0] == [True]
+    assert len(found.parts.known) == 2
+    assert judged(text + r"$$(1+9k^2x^4)\ddot x+18k^2x^3\dot x^2+gkx^2=0.$$")[0] == [False]
+    assert judged(text + r"$$x\dot x+y\dot y=0.$$")[0] == [False]
+
+
+DISC = r"""The constraints of a disc that rolls are
+$$\dot x=R\dot\psi\cos\theta,\qquad\dot y=R\dot\psi\sin\theta.$$ The equations of motion are
+\begin{align} m\ddot x&=\lambda_1,& m\ddot y&=\lambda_2,\\ A\ddot\theta&=0,& C\ddot\psi&=-R(\lambda_1\cos\theta+\lambda_2\sin\theta). \end{align} """
+
+
+@pytest.mark.parametrize(
+    "first", ["", HEADINGS[0] % "1. A pendulum." + THREAD + HEADINGS[0] % "2. A disc."]
+)
+@pytest.mark.parametrize(
+    ("claim", "true"),
+    [
+        (r"\lambda_1=-mR\dot\theta\dot\psi\sin\theta", True),
+        (r"\lambda_2=-mR\dot\theta\dot\psi\cos\theta", False),
+        (r"\ddot\psi=0", True),
+        (r"\ddot x=R\ddot\psi\cos\theta+R\dot\theta\dot\psi\sin\theta", False),
+    ],
+)
+def test_a_multiplier_alone_on_a_side_is_no_name(first, claim, true):
+    assert judged(first + DISC + rf"Hence $${claim}.$$")[0] == [true]
+
+
+def test_rates_that_are_said_to_be_constant_are_integrals():
+    words = r"So the angular velocities $\dot\theta=\Omega$, $\dot\psi=\omega$ are constant, and the reactions are"
+    found = verdicts(DISC + rf"{words} $$\lambda_1=-mR\omega\Omega\sin\theta.$$")
+    assert len(found) == 3 and all(one.green for one in found.values())
+    found = verdicts(DISC + rf"{words} $$\lambda_1=mR\omega\Omega\sin\theta.$$")
+    assert [one.green for one in found.values()] == [True, True, False]
+    found = verdicts(DISC + r"So the velocities $\dot x=u$, $\dot\psi=\omega$ are constant.")
+    assert [one.green for one in found.values()] == [False, True]
+
+
+def test_a_sum_of_what_moves_has_its_own_equation_by_a_constant():
+    """What is given before equations with a parameter is a name, and its own equation a claim."""
+    law = r"With $z=x+y$ we have $$\ddot x=-\lambda x,\quad\ddot y=-\lambda y,\quad\ddot z={}\lambda z.$$"
+    assert verdicts(law.format("-"))[r"\ddot z=-\lambda z"].green
+    assert not verdicts(law.format("-2"))[r"\ddot z=-2\lambda z"].green
