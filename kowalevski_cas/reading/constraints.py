@@ -6,7 +6,7 @@ The motion is on them wherever the paper speaks of it; what they give the multip
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from itertools import islice
 
 from kowalevski_cas.notation import Application, Name, Number, Power, Product, Vector
@@ -264,11 +264,13 @@ def _is_said_constant(name: str, known: Known) -> bool:
 def enter_constraints(parts: Parts) -> None:
     """Give the multipliers their values, and keep the derivatives of the constraints."""
     for place, known in enumerate(parts.known):
+        for one in _kept(known, parts.known[:place]):
+            known.enter(one, parts.roles[one])
         suffix = f"-{place + 1}" if place else ""
         for law in (law for law in known.laws if not law.change):  # in new names it has the same
             bound = [
                 one
-                for one in known.items
+                for one in (*known.items, *_kept(known, parts.known[:place]))
                 if parts.roles[one].kind == CONSTRAINT and is_constraint(one, law, known)
             ]
             called = any(cue("multiplier", item.words) for item in known.items)
@@ -289,6 +291,18 @@ def enter_constraints(parts: Parts) -> None:
             for item, role in found:
                 parts.places[item] = place
                 parts.enter(item, role)
+
+
+def _kept(known: Known, before: Sequence[Known]) -> list[SourceStatement]:
+    """The constraints of a part before of which equations of motion are kept, and others replaced.
+
+    A constraint that is printed anew takes the place of all.
+    """
+    own = any(known.roles[one].kind == CONSTRAINT for one in known.items)
+    rows = {row for law in known.laws for row in law.items}
+    earlier = (one for one in reversed(before) if any(rows & {*law.items} for law in one.laws))
+    last = None if own else next(earlier, None)
+    return [one for one in last.bound if is_printed(one)] if last else []
 
 
 def _keeps(law: Law, bound: list[SourceStatement], known: Known) -> bool:

@@ -113,8 +113,14 @@ class Parts:
             known.elsewhere = frozenset(name for law in others for name in law.variables)
 
     def _place(self, item: SourceStatement) -> int:
-        """The part of a statement: where it stands, or that of the only law that is cited by it."""
+        """The part of a statement: where it stands, or that of the only law that is cited by it.
+
+        Behind equations of motion in its sentence it is about these.
+        """
         here = self.part_at(item.typed.start)
+        before = {row for law in self.laws for row in law.printed if row.order < item.order}
+        if any(row.sentence == item.sentence for row in before):
+            return here
         cited = {one for label in nearest_labels(item) for one in self.paper.labels.get(label, ())}
         found = {self.part_at(law.first.typed.start) for law in self.laws if cited & law.printed}
         is_row = any(item in law.printed for law in self.laws)

@@ -318,3 +318,18 @@ def test_a_sum_of_what_moves_has_its_own_equation_by_a_constant():
     law = r"With $z=x+y$ we have $$\ddot x=-\lambda x,\quad\ddot y=-\lambda y,\quad\ddot z={}\lambda z.$$"
     assert verdicts(law.format("-"))[r"\ddot z=-\lambda z"].green
     assert not verdicts(law.format("-2"))[r"\ddot z=-2\lambda z"].green
+
+
+@pytest.mark.parametrize(("sign", "true"), [("+", True), ("-", False)])
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"On an inclined plane the first of the equations (\ref{law}) is replaced by",
+        r"Наклоним плоскость. Тогда первое из уравнений (\ref{law}) заменится на",
+    ],
+)
+def test_a_constraint_stays_where_an_equation_of_motion_is_replaced(words, sign, true):
+    labelled = DISC.replace(r"\begin{align}", r"\begin{align}\label{law}")
+    more = r"$$m\ddot x=\lambda_1+mg\sin\alpha,$$ and we get $$(C+mR^2)\ddot\psi={}mgR\sin\alpha\cos\theta.$$"
+    first = r"\paragraph{1. A plane.} " + labelled + r"\paragraph{2. A slope.} "
+    assert judged(first + words + more.replace("{}", sign.strip("+")))[0] == [true]
