@@ -329,8 +329,8 @@ def repeated(item: SourceStatement, known: Known) -> StatementRole | None:
     """What has been said before, sign for sign, to name something."""
     for one in known.paper.alike[item.formula]:
         role = known.roles.get(one)
-        if one not in known.items and not item.names.isdisjoint(known.definitions):
-            continue  # it names what is something else here
+        if one not in known.items:
+            continue  # it names something in another part
         if (
             role is not None
             and role.name in NAMING

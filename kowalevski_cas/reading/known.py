@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Name, NotationError, Number, Power, Quotient
+from kowalevski_cas.notation import Name, NotationError, Number, Power, Product, Quotient
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.paper.jets import Unknown
 from kowalevski_cas.paper.names import BRACKET, head
@@ -368,7 +368,8 @@ class Known:
             return False
         before = one.order < item.order and one not in clauses.behind
         before = before and not has_what_vanishes(item, one)
-        return before and self.reaches(one, item) and not self._is_lifted(one, item)
+        over = not self._has_length(one, item) and self._is_lifted(one, item)
+        return before and self.reaches(one, item) and not over
 
     def _introduces(self, one: SourceStatement) -> bool:
         """Whether a display says what a letter is that its sentence prints first: “at a with …”."""
@@ -536,8 +537,20 @@ class Known:
             return one.theorem == item.theorem
         if len(one.sections) == 1 and cue("in this part", one.before):
             return one.section is item.section  # what stands before the first heading is a part
-        lasting = one.order < item.order and lasts_to_the_end(one)
-        return one.section in item.sections or lasting
+        lasting = lasts_to_the_end(one) or self._has_length(one, item)
+        return one.section in item.sections or (one.order < item.order and lasting)
+
+    def _has_length(self, one: SourceStatement, item: SourceStatement) -> bool:
+        r"""Whether a letter stands in a statement by which, along an axis, its vector was given.
+
+        So does :math:`\mathbf B=B\mathbf e_z`: of another field the letter is not that.
+        """
+        match one.members:
+            case (Name(vector), Product() as given) if vector in self.names.vectors:
+                letter = symbol(vector).without_type.name
+                along = Name(letter) in given.factors and letter not in self.names.vectors
+                return along and any(letter in self.below(name) for name in item.names)
+        return False
 
     def special(self, law: Law) -> list[SourceStatement]:
         """The assumptions about the constants of a law for which it is printed anew."""

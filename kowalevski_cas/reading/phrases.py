@@ -145,6 +145,8 @@ def supposing(item: SourceStatement) -> str:
         return said.strip()
     if is_conditional(item) and cue("then", item.tail[:12]):
         return cue("when", item.before)
+    if found := _LET_BE.fullmatch(item.before) if not re.search(r"\w", item.after) else None:
+        return found["let"]
     before = item.before.rsplit("§", 1)[0] if "§" in item.before else ""
     between = item.lead.strip(" ,;~")
     joined = between in ("", "and", "и", "or", "или", ", and")
@@ -156,6 +158,12 @@ def supposing(item: SourceStatement) -> str:
     return "" if apart and not cue("then", item.tail[:12]) else said
 
 
+_LET_BE = re.compile(
+    r"\W*(?P<let>let|suppose|assume|пусть|предположим)\s+(?!us\b)[^,.;:]*\b(?:be|is|are|acts?|moves?|\w+(?:ен|н[аоы]|ует|уют|[её]тся|ются))\b"
+    r"[^,.;:]*,[\s~]*(?:with|так\s+что|причём|причем)?[\s~]*",
+    re.IGNORECASE,
+)
+"""How a sentence begins that supposes that there is something, and of what a condition ends it."""
 _ASIDE = re.compile(r"(?:,|\band)\s+(?:with|for|при|для)[\s~]*$", re.IGNORECASE)
 """How words end behind which something is said aside; what is displayed behind that is not."""
 

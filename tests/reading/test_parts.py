@@ -259,3 +259,17 @@ def test_its_own_equations_are_the_law_where_they_are_printed(rate, green):
     text = rf"""{OSCILLATOR}\begin{{example}} Let \[ H=\frac12P^2+\frac14Q^4 . \] Then
     \[ \dot Q=P,\qquad\dot P=-Q^3-P . \] We have $\dot H={rate}$. \end{{example}}"""
     assert [one.green for one in verdicts(text).values()] == [green]
+
+
+@pytest.mark.parametrize(("sign", "true"), [("-", True), ("+", False)])
+def test_what_is_named_anew_in_another_part_is_known_there(sign, true):
+    named = r"With $\zeta=x+iy$ we have "
+    first = (
+        r"\section{Gyration} The motion is $$\ddot x=\omega\dot y,\quad\ddot y=-\omega\dot x.$$ "
+    )
+    second = r"\section{A trap} The motion is $$\ddot x=\omega\dot y+k^2x,\quad\ddot y=-\omega\dot x+k^2y,\quad\ddot z=-2k^2z.$$ "
+    found = verdicts(
+        first + named + r"$$\ddot\zeta+i\omega\dot\zeta=0.$$" + second + named
+        + rf"$$\ddot\zeta+i\omega\dot\zeta{sign}k^2\zeta=0.$$"
+    )  # fmt: skip
+    assert [one.green for one in found.values()] == [True, true]

@@ -486,3 +486,31 @@ def test_another_value_of_what_is_given_is_not_supposed_silently(words, value):
     assert found[f"D={value}"].green
     found = verdicts(rf"{text}If $D={value}$, then \[x^2+(1-{value})y^2=\mathrm{{const}}.\]")
     assert [one.green for one in found.values()] == [value == "0"]
+
+
+FIELDS = r"""\subsection{{Gyration}} A charge moves by $$m\dot{{\mathbf v}}=q(\mathbf E+\mathbf v\times\mathbf B).$$
+Let $\mathbf E=0$ and $\mathbf B=B\mathbf e_z$. \subsection{{Crossed fields}} Let now $\mathbf E=E\mathbf e_x$. With
+$$\mathbf w={}/B^2$$ we have $$\mathbf E+\mathbf w\times\mathbf B=0.$$"""
+
+
+def test_the_letter_of_a_vector_along_an_axis_is_known_in_later_sections():
+    assert [v.green for v in verdicts(FIELDS.format(r"\mathbf E\times\mathbf B")).values()] == [
+        True
+    ]
+    other = FIELDS.format(r"\mathbf B\times\mathbf E")
+    assert [v.green for v in verdicts(other).values()] == [False]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Let a constant field $\mathbf E$ be applied, $\mathbf E\cdot\mathbf B=0$.",
+        r"Suppose the field $\mathbf E$ is orthogonal to the first, $\mathbf E\cdot\mathbf B=0$.",
+        r"Пусть поле $\mathbf E$ постоянно, причём $\mathbf E\cdot\mathbf B=0$.",
+    ],
+)
+def test_a_condition_behind_what_is_let_be_is_supposed(words):
+    law = r"A charge moves by $$m\dot{\mathbf v}=q(\mathbf E+\mathbf v\times\mathbf B).$$ "
+    drift = r" With $\mathbf w=\mathbf E\times\mathbf B/B^2$ we have $$\mathbf E+\mathbf w\times\mathbf B=0.$$"
+    assert [v.green for v in verdicts(law + words + drift).values()] == [True]
+    assert not any(v.green for v in verdicts(law + drift).values())
