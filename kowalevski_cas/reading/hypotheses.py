@@ -9,12 +9,17 @@ from collections.abc import Collection, Iterator
 from kowalevski_cas.notation import (
     CrossProduct,
     Derivative,
+    Formula,
     Modulus,
     Name,
+    Negative,
     Number,
     Power,
+    Product,
+    Quotient,
     ScalarProduct,
     Sum,
+    to_latex,
 )
 from kowalevski_cas.notation.symbol import symbol
 from kowalevski_cas.reading.cues import cue
@@ -49,8 +54,8 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     cited += _named_before(item, known) or set_right_before(item, known)
     cited += set_right_behind(item, known)
     alone = ((one,) for one in amplitude_equations(item, known))
-    unknowns = equations_before(item, known)
-    found = (sets, tuple(cited), (*sets, *cited), *alone, unknowns)
+    unknowns, value = equations_before(item, known), value_right_before(item, known)
+    found = (sets, tuple(cited), (*sets, *cited), *alone, unknowns, (*sets, *value))
     return [*dict.fromkeys(tuple(dict.fromkeys(one)) for one in found if one)]
 
 
@@ -237,6 +242,65 @@ def set_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
     if last.sentence != item.sentence or last.typed.inline or not _THERE.match(item.lead):
         return ()
     return tuple(one for one in before if one.typed is last.typed and is_set(one, known))
+
+
+_FROM = re.compile(
+    r"\b(?:from|by|using|with|because\s+of|из|по|в\s+силу)\s+(?:the\s+)?(?:\w+\s+){0,3}?"
+    r"(?:integrals?|conservation|conserved|интеграл\w*|закон\w*\s+сохранени\w+)\b[^§]*$",
+    re.IGNORECASE,
+)
+"""How words end behind which stands an integral from which something is deduced."""
+_FOLLOWS = re.compile(
+    r"[\s,;]*(?:and\s+hence\s+|then\s+)?(?:(?:it\s+)?follows|implies|gives|yields|(?:we|one)\s+(?:then\s+)?(?:have|has|gets?|finds?|obtains?)"
+    r"|следует|вытека\w+|получ\w+|находим|имеем|да[её]т)(?:,?\s+(?:that|what|что))?(?:\s+(?:the|\w+))?[\s:,~]*",
+    re.IGNORECASE,
+)
+"""The words between an integral and what is deduced from it."""
+
+
+def value_right_before(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The integral with the value that its constants give it, from which a statement is deduced.
+
+    It stands right before in the sentence, as in “from the integral of energy v²/2+gy=v_0²/2”.
+    """
+    before = [one for one in known.of_sentence(item.sentence) if one.order < item.order]
+    last = before[-1] if before else item
+    role = known.roles.get(last)
+    fixed = any(not known.varying(member.names()) for member in last.members)
+    claimed = role is not None and role.kind == "integral" and not (role.names or role.value)
+    said = _FROM.search(last.lead) and _FOLLOWS.fullmatch(item.lead)
+    return (_over_mass(last, known),) if said and claimed and fixed else ()
+
+
+def _over_mass(one: SourceStatement, known: Known) -> SourceStatement:
+    """An equation without the constants that stand in each of its terms.
+
+    It would hold wherever these vanish.
+    """
+    terms = [t for m in one.members for t in (m.terms if isinstance(m, Sum) else (m,))]
+    shared = set[str].intersection(*(_factors(term) for term in terms))
+    masses = sorted(name for name in shared if not known.varies(name))
+    if not masses:
+        return one
+    sides = (rf"\frac{{{to_latex(member)}}}{{{' '.join(masses)}}}" for member in one.members)
+    id = f"value-{one.order}"
+    return unprinted(known.paper, id, "=".join(sides), one, f"{one.printed.place} says it")
+
+
+def _factors(term: Formula) -> set[str]:
+    """The names that a term has as factors."""
+    match term:
+        case Name(name):
+            return {name}
+        case Negative(inner):
+            return _factors(inner)
+        case Power(Name(name), Number(exponent)) if exponent > 0:
+            return {name}
+        case Quotient(numerator, _):
+            return _factors(numerator)
+        case Product(factors):
+            return set[str]().union(*map(_factors, factors))
+    return set()
 
 
 _IN_LIST = re.compile(r"[\s,]*(?:\b(?:and|и)\b[\s,]*)?")

@@ -164,3 +164,25 @@ def test_what_is_supposed_in_a_part_before_all_headings_is_left_behind_them():
     assert found["r"].green
     assert not found["3r"].green
     assert verdicts(both.replace("In this section", "Throughout"))["3r"].green
+
+
+ENERGIES = [
+    (r"From the integral of energy $$\frac m2(\dot x^2+\dot y^2)+mgy=\frac m2v_0^2$$ it follows that", "m"),
+    (r"From the energy integral $$\frac12(\dot x^2+\dot y^2)+gy=\frac12v_0^2$$ we find", "1"),
+    (r"Из интеграла энергии $$\frac m2(\dot x^2+\dot y^2)+mgy=\frac m2v_0^2$$ следует, что", "m"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("twice", "true"), [("2", True), ("3", False)])
+@pytest.mark.parametrize(("words", "mass"), ENERGIES)
+def test_what_is_deduced_from_an_integral_holds_with_its_value(words, mass, twice, true):
+    """Where the mass stands in all terms of the integral it is supposed without it: it is not zero."""
+    law = r"A ball moves by $$\ddot x=0,\qquad\ddot y=-g.$$ "
+    found = verdicts(law + rf"{words} $${mass}(\dot x^2+\dot y^2)={mass}(v_0^2-{twice}gy).$$")
+    assert [one.green for one in found.values()] == [True, true]
+
+
+def test_what_is_not_deduced_from_an_integral_does_not_rest_on_it():
+    law = r"A ball moves by $$\ddot x=0,\qquad\ddot y=-g.$$ "
+    energy = r"The integral of energy is $$\frac12(\dot x^2+\dot y^2)+gy=\frac12v_0^2.$$ Moreover, $$\dot x^2+\dot y^2=v_0^2-2gy.$$"
+    assert [one.green for one in verdicts(law + energy).values()] == [True, False]
