@@ -39,6 +39,12 @@ _NEGLECTED = r"""
         \bvernachl(?:ä|\\"a)ssig\w* \bn(?:é|\\'e)glige\w*"""
 """What is left out, so that something else moves than what is printed."""
 
+_HENCEFORTH = (
+    r"\b(?:in\s+what\s+follows|in\s+the\s+sequel|henceforth|hereafter|from\s+now\s+on|everywhere\s+below"
+    r"|в\s+дальнейшем|всюду\s+(?:ниже|далее)|впредь)[\s,~]*$"
+)
+"""Words for all that follows, right before what is so there."""
+
 CUES: dict[str, str] = {
     "integral": rf"""
         {_OF_MAP}
@@ -88,11 +94,12 @@ CUES: dict[str, str] = {
         (?:rest|libration)\s+points? (?<!quasi-)\bsteady\s+states?
         (?:singular|stationary|fixed|critical)\s+points? stationary\s+(?:states?|solutions?)
         равновеси\w+ стационарн\w+ особ\w+\s+точ\w+ точ\w+\s+либрации""",
-    "suppose": r"""
+    "suppose": rf"""
+        {_HENCEFORTH}
         suppos\w+ assum\w+ \blet\b \btake\b \bmake\b \bif\b \bwhen\b \bgiven\s+that\b
         \bimpos(?:e|ing)\b \b(?:we|us|now)\s+(?:require|demand)\b \brequiring\b
         \bsubject\s+to\s+(?:the|a)\s+(?:\w+\s+)?(?:relation|condition|restriction|requirement)s?\b
-        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*$ \bput(?:ting)?\b(?!\s+together) \bsetting\b
+        \bfor(?:\s+(?:the\s+)?(?:\w+\s+){{0,2}}\w+)?\s*$ \bput(?:ting)?\b(?!\s+together) \bsetting\b
         (?:we|us|and|now|^\s*)\s*set\s*$
         provided choos\w+ choice as\s+long\s+as
         \bunder\b in\s+the\s+case \bcase\b restrict\w+ \bconsider\b
@@ -126,7 +133,8 @@ CUES: dict[str, str] = {
         \bin\s+all\s+that\s+follows\b \beverywhere\s+below\b
         \b(?:всюду|везде)\s+(?:далее|ниже|в\s+дальнейшем)\b \bв\s+дальнейшем\b
         \bв\s+остальной\s+части\s+(?:статьи|работы) \bim\s+Folgenden\b \bdans\s+la\s+suite\b""",
-    "lasting": r"""
+    "lasting": rf"""
+        {_HENCEFORTH}
         \blet\b suppos\w+ assum\w+ пусть предполож\w+""",
     "for": r"""
         \bfor\b(?:\s+(?:the\s+)?(?:\w+\s+){0,2}\w+)?\s*(?:§[^§]*)*$

@@ -514,3 +514,26 @@ def test_a_condition_behind_what_is_let_be_is_supposed(words):
     drift = r" With $\mathbf w=\mathbf E\times\mathbf B/B^2$ we have $$\mathbf E+\mathbf w\times\mathbf B=0.$$"
     assert [v.green for v in verdicts(law + words + drift).values()] == [True]
     assert not any(v.green for v in verdicts(law + drift).values())
+
+
+TOP_OF_GORYACHEV = r"""The top moves by $$4\dot p=3qr,\quad 4\dot q=-3rp-a\gamma'',\quad \dot r=a\gamma',\quad
+\dot\gamma=r\gamma'-q\gamma'',\quad\dot\gamma'=p\gamma''-r\gamma,\quad\dot\gamma''=q\gamma-p\gamma'.$$
+It has the integral $$4(p\gamma+q\gamma')+r\gamma''=c.$$ \section{Variables} """
+
+
+@pytest.mark.parametrize(
+    "words", ["In what follows", "From now on", "В дальнейшем", "Henceforth we suppose"]
+)
+def test_what_is_so_in_all_that_follows_is_supposed(words):
+    """The value of an integral, or a constant, and in the paragraphs behind it, too."""
+    law = TOP_OF_GORYACHEV + rf"{words} $c=0$. The top is fast." + "\n\n"
+    assert verdicts(law + r"We have $$r\gamma''=-4(p\gamma+q\gamma').$$")[
+        r"r\gamma''=-4(p\gamma+q\gamma')"
+    ].green
+    assert not verdicts(law + r"We have $$r\gamma''=4(p\gamma+q\gamma').$$")[
+        r"r\gamma''=4(p\gamma+q\gamma')"
+    ].green
+    pushed = r"A point moves by $$\dot x=y,\quad\dot y=-x+b.$$ "
+    behind = "\n\n" + r"The function $x^2+y^2$ is an integral."
+    assert verdicts(pushed + rf"{words} $b=0$." + behind)["x^2+y^2"].green
+    assert not verdicts(pushed + behind)["x^2+y^2"].green
