@@ -11,6 +11,7 @@ from kowalevski_cas.paper.implied import HAMILTONIANS
 from kowalevski_cas.reading.known import CONVENTION, Known, StatementRole
 from kowalevski_cas.reading.phrases import plain
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
+from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import unprinted
 
 CALLED_ENERGY = "called the energy"
@@ -73,6 +74,13 @@ _ENDS = re.compile(
 """What stands behind a function of which the value is meant along any motion, and nowhere else."""
 
 
+_OF_CITED = re.compile(
+    r"[\s~]*(?:(?:is|be|denotes|being|stands\s+for|есть|[-—–]+)\s+)?(?:the\s+)?(?:(?:constant|fixed|conserved|постоянное)\s+)?"
+    r"(?:value|constant|значение|постоянн\w+)(?:\s+of)?(?:\s+(?:the\s+)?(?:\w+\s+){0,2}(?:integrals?|functions?|интеграла|функции))?"
+    r"[\s~]*(?P<cited>\(?\\(?:eq|c|C|auto)?ref\s*\{[^{}]*\}\)?)",
+    re.IGNORECASE,
+)
+"""Words behind a letter that call it the value of what they cite."""
 _JOINED = re.compile(r"[\s,~]*(?:\b(?:and|и)\b)?[\s~]*", re.IGNORECASE)
 _ARE_VALUES = re.compile(
     r"\s*(?:(?:be|are|denote|being|stand\s+for|суть|[-—–]+)\s+)?(?:the\s+)?"
@@ -110,6 +118,7 @@ def _several_values(paper: SourcePaper) -> Iterator[SourceStatement]:
 def named_values(paper: SourcePaper) -> Iterator[SourceStatement]:
     """What words say of names that they give to the value of a function, as equations."""
     yield from _several_values(paper)
+    yield from _of_cited(paper)
     for one, other in pairwise(paper.items):
         if one.formula is None or other.formula is None or one.paragraph != other.paragraph:
             continue
@@ -121,6 +130,24 @@ def named_values(paper: SourcePaper) -> Iterator[SourceStatement]:
             called = called or (_WHERE.search(one.lead) and _IS_VALUE.fullmatch(other.lead))
             if called and one.sentence == other.sentence and _ENDS.match(other.tail):
                 yield _equation(one, to_latex(other.formula), other, paper)
+
+
+def _of_cited(paper: SourcePaper) -> Iterator[SourceStatement]:
+    """What words say of letters for the values of what they cite: “f is the constant of (3)”."""
+    for one in paper.items:
+        if not isinstance(one.formula, Name):
+            continue
+        called = _CALLING.search(one.lead) or _WHERE.search(one.lead)
+        found = _OF_CITED.match(one.tail) if called else None
+        cited = (
+            [o for label in references(found["cited"]) for o in paper.labels.get(label, ())]
+            if found
+            else []
+        )
+        if found and len(cited) == 1 and _ENDS.match(one.tail[found.end() :]):
+            (of,) = cited
+            if of.order < one.order and of.bare and of.members[0] == Name(of.bare[0]):
+                yield _equation(one, of.bare[0], one, paper)
 
 
 def _value_before(one: SourceStatement, name: SourceStatement) -> str:

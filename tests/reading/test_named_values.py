@@ -111,3 +111,37 @@ def test_the_name_of_a_value_is_no_name_of_a_multiple_of_it(words):
     text = rf"{ENERGY}{words} Then \[\dot x^2=Nh-kx^2-\tfrac12\beta x^4 .\]"
     assert [*verdicts(text.replace("N", "2")).values()][-1].green
     assert not [*verdicts(text.replace("N", "3")).values()][-1].green
+
+
+CITED = r"""The equations of motion are $$\dot x=y,\qquad \dot y=-x.$$ An integral is
+\begin{equation}\label{G} G=x^2+y^2. \end{equation} """
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Let $f$ be the constant of the integral (\ref{G}).",
+        r"Denote by $f$ the value of \eqref{G}.",
+        r"It has a level, where $f$ is the constant of the integral~\eqref{G}.",
+        r"Обозначим через $f$ постоянную интеграла \eqref{G}.",
+    ],
+)
+def test_a_letter_is_the_value_of_what_words_cite(words):
+    assert (
+        verdicts(CITED + words + r" Then $$\dot x^2=f-x^2.$$")[r"\dot x^2=f-x^2"] is Verdict.PROVED
+    )
+    assert (
+        verdicts(CITED + words + r" Then $$\dot x^2=f+x^2.$$")[r"\dot x^2=f+x^2"] is Verdict.REFUTED
+    )
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        r"Let $f$ be twice the constant of the integral (\ref{G}).",
+        r"Let $f$ be the constant of (\ref{G}) at $x=1$.",
+        r"Let $f$ be the square root of the constant of (\ref{G}).",
+    ],
+)
+def test_a_letter_for_something_else_of_what_is_cited_is_no_value(words):
+    assert not verdicts(CITED + words + r" Then $$\dot x^2=f-x^2.$$")[r"\dot x^2=f-x^2"].green
