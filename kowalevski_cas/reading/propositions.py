@@ -109,7 +109,8 @@ def _is_given_by_time(name: str, item: SourceStatement, known: Known) -> bool:
 _FOUND_FROM = re.compile(
     r"\b(?:found|determined|obtained|calculated|computed|defined|given)\s+(?:from|by)(?:\s+the)?"
     r"(?:\s+(?:conditions?|requirements?|equations?|relations?|equality|equalities))?(?:\s+that)?[\s:~]*$"
-    r"|\b(?:находи\w+|определя\w+|найд\w+)(?:\s+из)?(?:\s+(?:услови\w+|уравнени\w+|соотношени\w+|равенств\w*))?[\s:~]*$",
+    r"|\b(?:(?:находим|определяем|найд[её]м)\s+из|(?:находи|определя|найд)(?!(?:ем|[её]м|м)\b)\w+(?:\s+из)?)"
+    r"(?:\s+(?:услови\w+|уравнени\w+|соотношени\w+|равенств\w*))?[\s:~]*$",
     re.IGNORECASE,
 )
 """How words end behind which stands an equation for something that is sought."""

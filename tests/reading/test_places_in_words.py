@@ -33,3 +33,12 @@ def test_where_nothing_is_said_there_nothing_is_supposed(words):
 def test_a_limit_cycle_is_an_invariant_set(value, true):
     text = rf"{CYCLE} If $\mu>0$, there is one limit cycle, the circle $u^2+v^2={value}$."
     assert [*verdicts(text).values()][-1].green is true
+
+
+@pytest.mark.parametrize(
+    ("words", "claimed"), [("находим", True), ("найдём", True), ("находим из уравнения", False)]
+)
+def test_what_we_find_is_claimed_and_what_is_found_from_something_is_a_place(words, claimed):
+    text = rf"Уравнения движения $$\ddot x=-x-y,\quad\ddot y=-y-x.$$ Складывая их, {words} $$\ddot x+\ddot y+2(x+y)=0.$$"
+    found = verdicts(text)
+    assert [one.green for one in found.values()] == ([True] if claimed else [])
