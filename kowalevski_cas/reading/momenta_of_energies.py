@@ -56,7 +56,8 @@ def _by_velocity(item: SourceStatement, known: Known) -> str:
 
     Without an index it is the only one; empty if there is none, or more than one Lagrangian.
     """
-    given = [one for one in known.items if one.order < item.order and is_lagrangian(one, known)]
+    before = [one for one in known.items if one.order < item.order]
+    given = [one for one in before if is_lagrangian(one, known) or _ends_with_one(one, known)]
     parts = symbol(item.bare[0])
     if len(given) != 1:
         return ""
@@ -65,8 +66,10 @@ def _by_velocity(item: SourceStatement, known: Known) -> str:
         for name in known.names.scalars(given[0].rates)
         if not parts.index or parts.index in (name, symbol(name).index)
     ]
-    letter = given[0].bare[0]
+    letter, last = given[0].bare[0], to_latex(given[0].members[-1])
     [name] = coordinates if len(coordinates) == 1 else [""]
+    if name and len(given[0].members) > 2:
+        return rf"\frac{{\partial}}{{\partial \dot{{{name}}}}}\left({last}\right)"
     return rf"\frac{{\partial {letter}}}{{\partial \dot{{{name}}}}}" if name else ""
 
 
@@ -88,6 +91,14 @@ def momentum_by_change(name: str, known: Known) -> str:
             )
             return "+".join(parts)
     return ""
+
+
+def _ends_with_one(item: SourceStatement, known: Known) -> bool:
+    """Whether a chain that words call the Lagrangian ends with it in coordinates and velocities."""
+    role = known.roles.get(item)
+    named = role is not None and role.name == CLAIM and role.names == item.bare[:1]
+    called = cue("hamiltonian", item.words) and item.bare[:1] and item.bare[0] in LAGRANGIANS
+    return named and len(item.members) > 2 and bool(called) and has_squares_of_rates(item)
 
 
 def is_lagrangian(item: SourceStatement, known: Known) -> bool:

@@ -133,3 +133,12 @@ def test_momenta_of_changes_by_polynomials(seed):
     text, right, alike = a_change(seed)
     [verdict] = [verdict for tex, verdict in verdicts(text).items() if tex.startswith("p_")]
     assert verdict.green == (right or alike), text
+
+
+@pytest.mark.parametrize(("sign", "true"), [("+", True), ("-", False)])
+def test_a_lagrangian_may_end_a_chain(sign, true):
+    """In letters that nothing gives it stands first, and in coordinates and velocities at the end."""
+    text = r"""A charge moves by $$\ddot x=\omega\dot y,\quad\ddot y=-\omega\dot x.$$ The Lagrangian is
+    $$L=T+qW=\tfrac12m(\dot x^2+\dot y^2)+\tfrac12qB(x\dot y-y\dot x),$$ and the canonical momenta are """
+    found = verdicts(text + rf"$$p_x=m\dot x-\tfrac12qBy,\quad p_y=m\dot y{sign}\tfrac12qBx.$$")
+    assert [one.green for tex, one in found.items() if tex.startswith("p_")] == [True, true]
