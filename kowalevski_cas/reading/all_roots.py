@@ -32,7 +32,7 @@ from kowalevski_cas.reading.phrases import integral_words, plain, supposing
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.text import references
 from kowalevski_cas.reading.unprinted import unprinted
-from kowalevski_cas.reading.vieta import Roots, letters_of, polynomial_of, relations
+from kowalevski_cas.reading.vieta import NamedRoots, letters_of, polynomial_of, relations
 
 SAYS = "the relation of roots with the coefficients"
 
@@ -79,7 +79,7 @@ def _only(words: str, *allowed: Collection[str]) -> bool:
 
 def roots_named(
     item: SourceStatement, paper: SourcePaper, mentioned: Collection[str]
-) -> Roots | None:
+) -> NamedRoots | None:
     """The roots that words at the last of some letters name, of what is printed beside them."""
     listed = _list_before(item, paper)
     names = tuple(name for one in listed for name in _letters(one))
@@ -95,7 +95,7 @@ def roots_named(
         if degrees.count(len(names)) == 1 and max(degrees) == len(names):
             return next(
                 (
-                    Roots(item, names, letter, one)
+                    NamedRoots(item, names, letter, one)
                     for letter, one in highest.items()
                     if one and len(one) > len(names)
                 ),
@@ -250,7 +250,7 @@ def _row(item: SourceStatement, paper: SourcePaper) -> SourceStatement:
     return unprinted(paper, f"rate-of-{item.printed.display.id}", f"{left}={right}", item, SAYS)
 
 
-def roots_at(item: SourceStatement, known: Known) -> Roots | None:
+def roots_at(item: SourceStatement, known: Known) -> NamedRoots | None:
     """The new letters that a statement makes roots of a polynomial with constant coefficients."""
     mentioned = {name for law in known.laws for name in law.mentions}
     roots = roots_named(item, known.paper, mentioned)

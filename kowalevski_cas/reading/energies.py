@@ -55,8 +55,9 @@ SOURCE = "the Lagrangian, or the Hamiltonian"
 def claims_of_energies(parts: Parts) -> Iterator[InWords]:
     """That the law of a part is that of the energy which its words call so, row by row."""
     for place, known in enumerate(parts.known):
-        laws = [law for law in known.laws if not law.change]  # in new variables it is the same
-        if len(laws) != 1 or laws[0].images or laws[0].together or known.restated or known.clocks:
+        # in new variables it is the same
+        laws = [law for law in known.laws if not (law.change or law.together)]
+        if len(laws) != 1 or laws[0].images or known.restated or known.clocks:
             continue
         for item in known.items:
             if _is_of_special_case(item, laws[0], known):

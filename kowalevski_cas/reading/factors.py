@@ -1,4 +1,4 @@
-r"""Roots with names in a factored polynomial: :math:`P(u)=c(u-a)(b-u)` gives a and b."""
+r"""NamedRoots with names in a factored polynomial: :math:`P(u)=c(u-a)(b-u)` gives a and b."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.reading.coefficients import coefficients
 from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
-from kowalevski_cas.reading.vieta import Roots, polynomial_of
+from kowalevski_cas.reading.vieta import NamedRoots, polynomial_of
 
 
 def roots_in_factors(
     item: SourceStatement, given: Sequence[SourceStatement], paper: SourcePaper
-) -> Roots | None:
+) -> NamedRoots | None:
     """The roots that stand in the linear factors of a member, of the polynomial of another one.
 
     Where the square of a rate stands there, it is one by an equation that is ``given`` before.
@@ -38,7 +38,7 @@ def roots_in_factors(
             for polynomial in _without_rates(other, given):
                 found = polynomial_of(polynomial, letter, names, item, paper)
                 if len(found) == len(names) + 1:
-                    return Roots(item, names, letter, found)
+                    return NamedRoots(item, names, letter, found)
     return None
 
 

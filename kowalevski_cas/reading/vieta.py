@@ -20,7 +20,7 @@ from kowalevski_cas.reading.statements import SourcePaper, SourceStatement
 from kowalevski_cas.reading.unprinted import unprinted
 
 
-class Roots(NamedTuple):
+class NamedRoots(NamedTuple):
     """All the roots of a polynomial by their names, where they are named."""
 
     item: SourceStatement
@@ -80,7 +80,7 @@ def _is_function(formula: Formula, name: str) -> bool:
 
 
 def relations(
-    roots: Roots, paper: SourcePaper, moving: Collection[str] = ()
+    roots: NamedRoots, paper: SourcePaper, moving: Collection[str] = ()
 ) -> list[SourceStatement]:
     """What the sums of products of the roots are by the coefficients.
 
