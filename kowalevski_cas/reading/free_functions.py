@@ -25,12 +25,12 @@ from kowalevski_cas.reading.reciprocals import with_reciprocals
 from kowalevski_cas.source.displays import TypedFormula
 
 TIME = "t"
+_D = r"(?:\\mathrm\s*\{?\s*d\s*\}?|(?<![A-Za-z\\])d)"
 _DERIVED = re.compile(
-    rf"\\[dt]?frac\s*\{{\s*d\s*(?P<name>{NAME})\s*\}}\s*\{{\s*d\s*(?P<by>{NAME})\s*\}}"
-    rf"|(?<![A-Za-z\\])d\s*(?P<of>{NAME})\s*/\s*d\s*(?P<at>{NAME})"
+    rf"\\[dt]?frac\s*\{{\s*{_D}\s*(?P<name>{NAME})\s*\}}\s*\{{\s*{_D}\s*(?P<by>{NAME})\s*\}}"
+    rf"|{_D}\s*(?P<of>{NAME})\s*/\s*{_D}\s*(?P<at>{NAME})"
 )
 """The derivative of a name by another one."""
-_D = r"(?:\\mathrm\s*\{?\s*d\s*\}?|(?<![A-Za-z\\])d)"
 _RATE = re.compile(
     rf"\\[dt]?frac\s*\{{\s*{_D}(?:\s*\^\s*\d)?\s*(?P<name>{NAME})\s*\}}\s*\{{\s*{_D}\s*t"
     rf"|{_D}(?:\s*\^\s*\d)?\s*(?P<of>{NAME})\s*/\s*{_D}\s*t"

@@ -340,3 +340,11 @@ def test_what_stands_at_the_time_in_equations_for_something_else_is_any_function
 def test_what_moves_or_is_given_or_a_factor_is_none_at_the_time(text):
     assert not reading(text).paper.functions
     assert not any(one.green for one in verdicts(text).values())
+
+
+@pytest.mark.parametrize("d", ["d", r"\mathrm{d}", r"\mathrm d "])
+def test_derivatives_by_the_argument_have_any_d(d):
+    law = rf"In a field, \[ \ddot x=-\frac{{{d}U}}{{{d}x}} \] with the potential $U(x)$. "
+    general = r"Put $E=\tfrac12\dot x^2+U(x)$. Then \[ \dot E=0,\qquad \dot x^2=2E-2U(x). \] "
+    found = verdicts(law + general + r"Let now $U(x)=gx$. Then \[ \ddot x=-g. \]")
+    assert [one.green for one in found.values()] == [True] * 3
