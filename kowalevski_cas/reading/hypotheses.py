@@ -52,6 +52,7 @@ def hypotheses(item: SourceStatement, known: Known) -> list[SetOfEquations]:
     elif one := _restricting(item, known):
         cited += just_before(one, known)
     cited += _named_before(item, known) or set_right_before(item, known)
+    cited += points_spoken_of(item, known)
     cited += set_right_behind(item, known)
     alone = ((one,) for one in amplitude_equations(item, known))
     unknowns, value = equations_before(item, known), value_right_before(item, known)
@@ -301,6 +302,43 @@ def _factors(term: Formula) -> set[str]:
         case Product(factors):
             return set[str]().union(*map(_factors, factors))
     return set()
+
+
+_AT_POINTS = re.compile(
+    r"\b(?:at|in|of)\s+(?:this|these|that|those|both)\s+(?:\w+\s+)?(?:points?|equilibri(?:um|a)|positions?)\b"
+    r"|\bв\s+(?:этих|этой|этом|обеих|обоих)\s+(?:точк\w+|положени\w+)",
+    re.IGNORECASE,
+)
+"""Words for points that stand before them."""
+
+
+def points_spoken_of(item: SourceStatement, known: Known) -> SetOfEquations:
+    """The equations of the points that were printed last in the paragraph: “at these points”.
+
+    None of several: what holds at one need not hold at all. Equilibria have no velocities.
+    """
+    if not _AT_POINTS.search(item.before):
+        return ()
+    before = [
+        one for one in known.roles if one.order < item.order and one.paragraph == item.paragraph
+    ]
+    last = [one for one in before if is_set(one, known) and is_value(one, known)]
+    beside = [one for one in last if one.sentence == last[-1].sentence]
+    found = sets_of(beside, known.paper.source.text)
+    sets = [own for own in found if max(own, key=lambda o: o.order).typed is last[-1].typed]
+    if len(sets) != 1:
+        return ()
+    (own,) = sets
+    at_rest = any(known.roles[one].kind == "rest" for one in before if one.order < own[-1].order)
+    return (*own, *(_velocities(own[-1], known) if at_rest else ()))
+
+
+def _velocities(one: SourceStatement, known: Known) -> Iterator[SourceStatement]:
+    """That the velocities vanish of what moves by equations of the second order."""
+    orders = {name: order for law in known.laws for name, order in law.orders.items()}
+    for name in (name for name, order in orders.items() if order > 1):
+        id, tex = f"rest-{name}-{one.order}", rf"\dot{{{name}}}=0"
+        yield unprinted(known.paper, id, tex, one, "words call it an equilibrium")
 
 
 _IN_LIST = re.compile(r"[\s,]*(?:\b(?:and|и)\b[\s,]*)?")

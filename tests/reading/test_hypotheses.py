@@ -186,3 +186,25 @@ def test_what_is_not_deduced_from_an_integral_does_not_rest_on_it():
     law = r"A ball moves by $$\ddot x=0,\qquad\ddot y=-g.$$ "
     energy = r"The integral of energy is $$\frac12(\dot x^2+\dot y^2)+gy=\frac12v_0^2.$$ Moreover, $$\dot x^2+\dot y^2=v_0^2-2gy.$$"
     assert [one.green for one in verdicts(law + energy).values()] == [True, False]
+
+
+ROTATING = r"""The equations of motion are
+$$\ddot x-2\dot y=x-x(x^2+y^2)-\mu x,\qquad\ddot y+2\dot x=y-y(x^2+y^2)+\mu y.$$
+Put $$C=x^2+y^2-\tfrac12(x^2+y^2)^2-\mu x^2+\mu y^2-\dot x^2-\dot y^2.$$
+The equilibria are determined by the equations $$x-x(x^2+y^2)-\mu x=0,\qquad y-y(x^2+y^2)+\mu y=0.$$ """
+
+
+@pytest.mark.parametrize(
+    "words", ["At this point", "The value of the constant at this point is", "В этой точке"]
+)
+def test_at_an_equilibrium_that_words_speak_of_nothing_moves(words):
+    found = ROTATING + rf"We find \[x=\sqrt{{1-\mu}},\qquad y=0.\] {words} "
+    assert verdicts(found + r"$$C=\tfrac12(1-\mu)^2.$$")[r"C=\tfrac12(1-\mu)^2"].green
+    assert not verdicts(found + r"$$C=\tfrac12(1+\mu)^2.$$")[r"C=\tfrac12(1+\mu)^2"].green
+
+
+def test_at_one_of_several_points_it_may_be_otherwise():
+    """With the root for y it would hold at one of both points."""
+    found = ROTATING + r"We find $x=0$, $y=\pm\sqrt{1+\mu}$. At these points "
+    tex = r"Cy=\tfrac12(1+\mu)^2\sqrt{1+\mu}"
+    assert not verdicts(found + rf"$${tex}.$$")[tex].green
