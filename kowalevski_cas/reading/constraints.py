@@ -64,8 +64,10 @@ def reaction(item: SourceStatement, known: Known) -> StatementRole | None:
     for law in known.laws if bound else ():
         names = {*reactions([*law.rows, *_surplus(law, known)], known.items)}
         beside = any(row.sentence == item.sentence for row in law.rows)
-        if not (beside or cue("where", item.lead)):  # else the law has it from there
-            names |= {*_multipliers(law, known)}
+        pulling = {*_multipliers(law, known)}
+        own = [one for one in bound if one.order < item.order]
+        if len(own) <= len(pulling) and not (beside or cue("where", item.lead)):
+            names |= pulling  # else the law has it from there
         if item.bare[0] in names and any(is_constraint(one, law, known) for one in bound):
             why = f"gives {plain(item.bare[0])}, which a constraint determines"
             return StatementRole(CLAIM, why, "identity")
