@@ -56,8 +56,8 @@ class Describer:
                 raise NotationError(self.refused[display], typed.tex, 0)
             intervals = split_display(_read_as(typed.tex, display.tex))
             expected = len(split_display(display.tex))
-            if len(intervals) == 1:
-                self.texts.statement(display[1])
+            if len(intervals) == 1 or display.id in self.texts.sources:
+                self.texts.statements(display)
         except NotationError as error:
             message = typed.trouble or str(error)
             yield self._entry(display.id, typed, (0, len(typed.tex)), display, UNREADABLE, message)

@@ -1,4 +1,4 @@
-r"""NamedRoots with names in a factored polynomial: :math:`P(u)=c(u-a)(b-u)` gives a and b."""
+r"""Roots with names in a factored polynomial: :math:`P(u)=c(u-a)(b-u)` gives a and b."""
 
 from __future__ import annotations
 
