@@ -16,7 +16,7 @@ from kowalevski_cas.notation import Conjugate, Name, Negative, Number, Quotient
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Pieces, PointEvaluation, number_formula
-from kowalevski_cas.problem.space import Adjoined, Setting, all_names
+from kowalevski_cas.problem.space import Adjoined, Meaningless, Setting, all_names
 from kowalevski_cas.search.real import points_with_squares, real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -138,6 +138,7 @@ class PointFinder:
         first.
         """
         avoid = [*at.granted, *at.norms, *at.ring.divisors_of([*divided, *at.defined])]
+        avoid += _below_law(at) if zero else []
         names = all_names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         rational: Iterator[Iterator[Place]] = (
@@ -223,6 +224,13 @@ class PointFinder:
                 varies = any(map(element.ring.polynomials.occurring_places, parts.values()))
                 element = rest if varies else element**2
         return element
+
+
+def _below_law(at: Evaluation) -> list[Element]:
+    """What its equations of motion divide by, if a space has any: there no motion is."""
+    with suppress(Meaningless):
+        return at.ring.divisors_of(at.law) if at.setting.field else []
+    return []
 
 
 def _points(

@@ -182,3 +182,12 @@ def test_a_slip_beside_the_name_of_the_value_is_mended_on_either_side(wrong, pri
     (outcome,) = ReadingSession(found, timeout=20).outcomes.values()
     assert outcome.verdict is Verdict.REFUTED
     assert r"\dot{x}^2 + x^2" in to_latex(outcome.correction.formulas[0])
+
+
+@pytest.mark.parametrize(("sign", "green"), [("+", True), ("-", False)])
+def test_a_value_is_taken_where_the_law_is_defined(sign, green):
+    """Where the mass vanishes any energy has this value, and there is no motion."""
+    law = r"A point moves by \[m\ddot x=0,\qquad m\ddot y=-mg.\] "
+    energy = rf"\frac m2(\dot x^2+\dot y^2){sign}mgy=\frac m2v_0^2-mgl"
+    found = verdicts(law + rf"The energy \[{energy}\] is conserved.")
+    assert found[energy].green is green
