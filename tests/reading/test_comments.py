@@ -10,9 +10,11 @@ from kowalevski_cas.cli import main
 from kowalevski_cas.paper.claims import Dimension, FirstIntegral, Implication
 from kowalevski_cas.reading import read
 from kowalevski_cas.reading.brackets import OF_FUNCTIONS
+from kowalevski_cas.reading.canonical import MOMENTUM
 from kowalevski_cas.reading.draft import beside, comments, draft, text_of
 from kowalevski_cas.reading.grammar import kinds
-from kowalevski_cas.reading.known import TOGETHER
+from kowalevski_cas.reading.known import BEGINNING, TOGETHER
+from kowalevski_cas.reading.small_oscillations import OF_LINEAR_PART
 from kowalevski_cas.source.files import decode, read_source
 from kowalevski_cas.source.text import Source, SourceError
 from kowalevski_cas.verify.outcome import Verdict
@@ -315,6 +317,8 @@ def test_what_is_drafted_is_read_as_before():
 
 
 PAPERS = Path(__file__).parents[1] / "data" / "papers"
+FOUND_ANEW = (TOGETHER, OF_FUNCTIONS, BEGINNING, MOMENTUM, *OF_LINEAR_PART)
+"""The kinds of what words around a formula say of it whenever it is read."""
 
 
 @pytest.mark.parametrize("name", sampled(sorted(p.stem for p in PAPERS.glob("*.tex")), 1, seed=2))
@@ -324,8 +328,7 @@ def test_every_role_that_is_inferred_can_be_written(name):
     assert lines
     for formula in reading.formulas:
         written = formula.role.name in ("law", "definition", "level", "assumption", "claim")
-        # equations that give names together, or brackets of variables, are found anew
-        if written and formula.role.kind not in (TOGETHER, OF_FUNCTIONS):
+        if written and formula.role.kind not in FOUND_ANEW:
             assert text_of(formula, reading.paper), (formula.item.printed.place, formula.role)
 
 
