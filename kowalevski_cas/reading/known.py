@@ -18,6 +18,7 @@ from kowalevski_cas.reading.clauses import Clauses
 from kowalevski_cas.reading.comments import Said
 from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.law import Law
+from kowalevski_cas.reading.letters_of_vectors import bold_letters
 from kowalevski_cas.reading.lifted import (
     goes_on,
     has_what_vanishes,
@@ -177,12 +178,21 @@ class Known:
 
     @cached_property
     def unreadable(self) -> frozenset[str]:
-        """The names that stand alone on a side of what cannot be read."""
+        """The names that stand alone on a side of what cannot be read.
+
+        Where it gives what moves, the vectors by which it does so are not known either.
+        """
         found: set[str] = set()
         for item in self.items:
             if item.formula is None:
                 with suppress(NotationError, IndexError):
-                    found |= {called(name) for name in item.printed.heads.names}
+                    heads = {called(name) for name in item.printed.heads.names}
+                    found |= heads
+                    if any(map(self.moves, heads)):
+                        bold = {*bold_letters(item.printed.tex)}
+                        found |= {
+                            v for v in self.names.vectors if v.rpartition("{")[2][:-1] in bold
+                        }
         return frozenset(found - {one.other_time for one in self.clocks} - {*self.functions})
 
     def enter(self, item: SourceStatement, role: StatementRole) -> None:

@@ -42,11 +42,16 @@ def letters_of_vectors(formulas: Sequence[TypedFormula]) -> frozenset[str]:
     angular = {letter for tex in texts for pair in _ANGULAR.findall(tex) for letter in pair}
     found = {match["name"] for tex in texts for match in _LIST.finditer(tex)}
     turned = {letter for tex in texts for pair in _TURNED.findall(tex) for letter in pair}
-    found |= turned - {letter for tex in texts for letter in _BOLD.findall(tex)}
+    found |= turned - {letter for tex in texts for letter in bold_letters(tex)}
     listed = found | beside(found, texts)
     return frozenset(
         name for name in listed if any(re.search(rf"{re.escape(name)}_\{{?\w", t) for t in texts)
     ) | frozenset(angular | members | factors_of_crosses(texts))
+
+
+def bold_letters(tex: str) -> list[str]:
+    """The letters that are bold in a formula."""
+    return _BOLD.findall(tex)
 
 
 def members_of_spaces(tex: str) -> dict[str, int]:

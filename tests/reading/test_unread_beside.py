@@ -56,3 +56,10 @@ def test_comments_count_all_statements_of_a_formula():
     assert Verdict.REFUTED in verdicts(LAW + display).values()
     said = verdicts(LAW + "\n%kc: 2 skip\n" + display)
     assert Verdict.REFUTED not in said.values()
+
+
+@pytest.mark.parametrize("between", [r",\quad ", r".\] Here \["])
+def test_vectors_by_which_what_moves_is_given_are_not_constant(between):
+    law = r"With the tensor of inertia $\mathbf A$ \[\dot{\mathbf G}=\mathbf G\times\mathbf w"
+    text = rf"{law}{between}\mathbf G=\mathbf A\mathbf w+\mathbf A.\] "
+    assert not verdicts(text + r"Then $(\mathbf G,\mathbf w)$ is an integral.")
