@@ -353,7 +353,8 @@ def read_statements(source: Source, primed: frozenset[str] = frozenset()) -> Sou
     has_coordinate_time, typed = timed != typed, timed
     variable = independent_variable(typed, expanded.text)
     other = other_variable(typed, expanded.text)
-    typed = [*with_time(with_time_of_dots(typed, expanded.text), variable, other[0])]
+    dotted = [*with_time_of_dots(typed, expanded.text)]
+    typed = [*with_time(dotted, variable, other[0])]
     typed = [*with_exponentials([*with_own_names(typed)])]
     typed = [*with_printed_arguments([*with_derivations(typed, expanded.text)])]
     named = [*without_set_names(typed)]
