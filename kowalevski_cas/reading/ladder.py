@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from kowalevski_cas.notation import Name, Number, Root, Unwritten, to_latex
@@ -73,8 +75,7 @@ class _Ladder(RungMaker):
         match self.role.kind:
             case "identity" | "constant":
                 yield from self.identities()
-                yield from along_solution(self)
-                yield from of_motion(self)
+                yield from () if self._levels else chain(along_solution(self), of_motion(self))
             case "inequality":
                 yield from self.inequalities()
             case "integral":
@@ -110,7 +111,7 @@ class _Ladder(RungMaker):
     def of_what_is_kept(self) -> Iterator[Rung]:
         """The claim along motions that keep what has letters for its constant value."""
         given = constancy(self.item, self.known) if self.role.kind in EQUATIONS else []
-        if given:
+        if given and not self._levels:
             says = "both sides are equal along motions on which this is constant"
             rung = self.rung(Implication, says, self.supposed, given, given=places(given))
             yield replace(rung, idle=None)  # what is constant is not all that moves
@@ -119,6 +120,8 @@ class _Ladder(RungMaker):
         """The claim where vectors have the length that is printed of them: one."""
         given = normalisations(self.item, self.known)
         if not given or {*given} & {*self.known.bound} or self.role.kind not in EQUATIONS:
+            return
+        if self._levels:  # they are constant where the function is derived
             return
         says = "both sides are equal, of unit vectors"
         kind: type[Claim] = Implication
@@ -142,6 +145,8 @@ class _Ladder(RungMaker):
     def _under(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
         """The claim under some assumptions, and on no set that is given besides."""
         match self.role.kind:
+            case "identity" if self._levels:
+                yield self._at_levels(assumptions)
             case "identity":
                 yield self.rung(Identity, "both sides are equal", assumptions)
             case "integral":
@@ -166,9 +171,11 @@ class _Ladder(RungMaker):
         given_there = hypotheses(self.item, self.known)
         yield from self._of_coefficients()
         for assumptions in self.suppositions():
+            if self._levels:
+                yield self._at_levels(assumptions)
+                continue
             if not given_there or ZERO not in self.item.members:
                 yield self.rung(Identity, says, assumptions)
-            yield from self._at_levels(assumptions)
             told = cue("either root", self.item.words) or EITHER_SIGN.search(self.item.printed.tex)
             if (root := self._root()) and told:
                 chosen = f"{says}, for one value of ${root}$"
@@ -205,19 +212,23 @@ class _Ladder(RungMaker):
             self.rung(Implication, says, self.supposed, given, law=law, given=places(given))
         )
 
-    def _at_levels(self, assumptions: list[SourceStatement]) -> Iterator[Rung]:
+    @cached_property
+    def _levels(self) -> tuple[SourceStatement, ...]:
+        """What gives the parameters of the functions that are derived in the statement."""
+        return tuple(dict.fromkeys(held_fixed(self.item, self.known)))
+
+    def _at_levels(self, assumptions: list[SourceStatement]) -> Rung:
         r"""The claim where a function that is derived has parameters, as :math:`U(r)=\ell^2/2r^2`.
 
-        These stand for what moves, and are constant in the function that is derived.
+        These stand for what moves, and are constant in the function that is derived: it is another
+        claim if they are put in before.
         """
-        levels = dict.fromkeys(held_fixed(self.item, self.known))
-        if levels:
-            found = self.stage.scene((self.item, *levels), assumptions)
-            own = places([*levels])
-            says = "both sides are equal, with these parameters in the function that is derived"
-            scene = found.scene.fixing(own)  # a set on which each is some value, of any functions
-            claim = Implication(self.id, scene, says, printed=self.item.printed, given=own)
-            yield Rung(claim, (*found.assumptions, *levels), found.constants)
+        found = self.stage.scene((self.item, *self._levels), assumptions)
+        own = places([*self._levels])
+        says = "both sides are equal, with these parameters in the function that is derived"
+        scene = found.scene.fixing(own)  # a set on which each is some value, of any functions
+        claim = Implication(self.id, scene, says, printed=self.item.printed, given=own)
+        return Rung(claim, (*found.assumptions, *self._levels), found.constants)
 
     def inequalities(self) -> Iterator[Rung]:
         """A chain at all real points, and where cited equations hold."""

@@ -43,11 +43,16 @@ def _function(formula: Formula) -> str:
 
 
 def _parameters(function: str, by: SourceStatement, known: Known) -> set[str]:
-    """The names in what gives a function that stand for what moves and are no arguments."""
+    """The names in what gives a function that stand for what moves and are no arguments.
+
+    What is given by the arguments alone, as a distance by its coordinates, is no parameter.
+    """
     at = {name for one in by.printed.heads.names for name in head(one)[1]}
     at |= {*_arguments(function, by, known)}
     names = {name for member in by.members[1:] for name in member.names()} - at
     given = {n for n in names if known.is_defined(n) and known.varies(n) and not known.moves(n)}
+    if at:
+        given = {n for n in given if not {*filter(known.moves, known.below(n))} <= at}
     return given if at else given & known.levels
 
 
