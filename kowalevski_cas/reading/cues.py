@@ -39,11 +39,14 @@ _NEGLECTED = r"""
         \bvernachl(?:ä|\\"a)ssig\w* \bn(?:é|\\'e)glige\w*"""
 """What is left out, so that something else moves than what is printed."""
 
-_HENCEFORTH = (
-    r"\b(?:in\s+what\s+follows|in\s+the\s+sequel|henceforth|hereafter|from\s+now\s+on|everywhere\s+below"
-    r"|в\s+дальнейшем|всюду\s+(?:ниже|далее)|впредь)[\s,~]*$"
+_FOLLOWING = (
+    r"\b(?:in\s+what\s+follows|in\s+the\s+sequel|henceforth|hereafter|from\s+(?:now|here)\s+on(?:wards)?"
+    r"|in\s+all\s+that\s+follows|everywhere\s+below|(?:всюду|везде)\s+(?:далее|ниже|в\s+дальнейшем)"
+    r"|в\s+дальнейшем|впредь)\b"
 )
-"""Words for all that follows, right before what is so there."""
+"""Words for all that follows."""
+_HENCEFORTH = rf"{_FOLLOWING}[\s,~]*$"
+"""These words, right before what is so there."""
 
 CUES: dict[str, str] = {
     "integral": rf"""
@@ -124,14 +127,11 @@ CUES: dict[str, str] = {
         в\s+эт(?:ом|ой)\s+(?:разделе|параграфе|главе|пункте|случае) \bздесь\b
         in\s+diesem\s+(?:Abschnitt|Kapitel|Fall\w*) dans\s+cette\s+section
         dans\s+ce\s+(?:paragraphe|chapitre|cas)""",
-    "to the end": r"""
+    "to the end": rf"""
         \b(?:rest|remainder)\s+of\s+(?:the|this|our)\s+(?:paper|article|note|work|text|chapter|lecture)s?\b
-        \bhenceforth\b \bfrom\s+(?:now|here)\s+on(?:wards)?\b \bin\s+what\s+follows\b
-        \bin\s+the\s+sequel\b
+        {_FOLLOWING}
         \bthroughout(?=\s+(?:the|this|our)\s+(?:paper|article|note|work|text)|\s*(?:[,.;§]|$|we\b))
         \bthroughout\s+(?:let|suppose|assume|take|put)\b
-        \bin\s+all\s+that\s+follows\b \beverywhere\s+below\b
-        \b(?:всюду|везде)\s+(?:далее|ниже|в\s+дальнейшем)\b \bв\s+дальнейшем\b
         \bв\s+остальной\s+части\s+(?:статьи|работы) \bim\s+Folgenden\b \bdans\s+la\s+suite\b""",
     "lasting": rf"""
         {_HENCEFORTH}
